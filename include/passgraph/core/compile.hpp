@@ -1,0 +1,37 @@
+// From a graph to a plan: which draws, in which order, into which memory.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <passgraph/core/error.hpp>
+#include <passgraph/core/graph.hpp>
+#include <passgraph/core/plan.hpp>
+
+namespace passgraph {
+
+/// The limits of a device that a plan must respect; the default is what OpenGL 3.3 guarantees.
+struct Device {
+    int max_texture_size = 1024;
+    int max_texture_units = 16;
+    int max_color_targets = 8;
+};
+
+struct CompileOptions {
+    Extent extent{1280, 720}; ///< of the frame: geometry passes, and graphs without pictures
+    std::map<std::string, Extent> picture_extents; ///< of imported pictures, by name; else `extent`
+    Device device{16384, 32, 8};
+    bool fuse = true;  ///< false: every pass is a step of its own
+    bool cull = true;  ///< false: passes that nothing needs run all the same
+    bool alias = true; ///< false: every stored image has its own slot
+};
+
+/// Turns a declared graph into a plan. Pure and deterministic: equal graphs and options give equal plans, byte for byte.
+///
+/// Errors   every mistake of the graph at once: unknown_pass, unknown_input, unknown_param, unknown_item, unknown_codec,
+///          unknown_image, input_missing, signal_mismatch, over_mismatch, generic_mismatch, param_out_of_range, cycle,
+///          duplicate_name, output_missing, extent_too_large (a lack of the machine), extent_empty.
+/// Cost     O(nodes^2) at most; about a millisecond for the demo.
+Result<Plan> compile(const Graph& graph, const CompileOptions& options = {});
+
+} // namespace passgraph

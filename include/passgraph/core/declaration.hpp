@@ -1,0 +1,170 @@
+// What a pass file says about itself, plus what analysis derived from its body.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <passgraph/core/error.hpp>
+#include <passgraph/core/signal.hpp>
+
+namespace passgraph {
+
+struct GraphDescription;
+
+/// A parameter's value: up to four numbers, each exact in a double. Booleans are 0 or 1, enums the item's index.
+struct Value {
+    std::array<double, 4> v{};
+
+    Value() = default;
+    Value(double x) : v{x} {}
+    Value(double x, double y, double z = 0.0, double w = 0.0) : v{x, y, z, w} {}
+    friend bool operator==(const Value&, const Value&) = default;
+};
+
+using Vec2 = std::array<float, 2>;
+using Vec3 = std::array<float, 3>;
+using Vec4 = std::array<float, 4>;
+
+enum class ParamType : std::uint8_t { float_, int_, bool_, enum_, color, vec2, vec3, vec4 };
+std::string_view name(ParamType type);
+int component_count(ParamType type);
+
+/// A knob of a pass. Live parameters are uniforms; static ones are compile-time constants.
+struct Param {
+    std::string name;
+    ParamType type = ParamType::float_;
+    Value default_value;
+    double lowest = -std::numeric_limits<double>::infinity(); ///< per component
+    double highest = std::numeric_limits<double>::infinity();
+    double step = 0.0; ///< 0: continuous
+    std::string unit;
+    std::string label;
+    std::string group;
+    std::string visible_if;
+    bool is_logarithmic = false;
+    bool is_static = false;
+    std::vector<std::string> items; ///< of an enum
+    Location where;
+};
+
+/// A static selection: a choice between models, or a ladder of approximations of one reference (rungs in its order).
+struct Selection {
+    enum class Kind : std::uint8_t { choice, ladder, layout };
+    std::string name;
+    Kind kind = Kind::choice;
+    std::vector<std::string> items;
+    int default_item = 0;
+    Location where;
+};
+
+enum class Filter : std::uint8_t { nearest, linear };
+enum class AddressMode : std::uint8_t { clamp, mirror, repeat };
+/// What an input is a function of: a place in the picture or a direction (cube map); or the scene a geometry pass draws.
+enum class Over : std::uint8_t { image, sphere, scene };
+
+/// How a pass reads an input, derived from its syntax tree; the compiler trusts nothing else.
+enum class AccessClass : std::uint8_t {
+    size_only, ///< only its extent is asked for
+    pointwise, ///< at the entry's own uv, unmodified, on every path
+    warp,      ///< at one computed place
+    gather,    ///< at several places; `radius` texels around uv, or unknown
+};
+
+struct Access {
+    AccessClass kind = AccessClass::gather;
+    int radius = kUnknownRadius; ///< texels, of a gather
+    static constexpr int kUnknownRadius = -1;
+    friend bool operator==(const Access&, const Access&) = default;
+};
+
+/// "pointwise", "warp", "gather(4)", "gather(radius unknown)".
+std::string to_text(const Access& access);
+
+struct InputPort {
+    std::string name;
+    Signal signal = Signal::color;
+    Filter filter = Filter::nearest;
+    AddressMode wrap = AddressMode::clamp;
+    Over over = Over::image;
+    bool has_levels = false;
+    bool is_optional = false;
+    Value default_value{}; ///< of an optional input that is not wired
+    Access access{};       ///< derived
+    Location where{};
+};
+
+struct Ratio {
+    int p = 1;
+    int q = 1;
+    friend bool operator==(const Ratio&, const Ratio&) = default;
+};
+
+struct OutputPort {
+    std::string name;
+    Signal signal = Signal::color;
+    std::string size_of;             ///< an input whose extent is taken; "": the largest input
+    Ratio scale;                     ///< of that extent
+    std::optional<std::array<int, 2>> texels; ///< or a fixed extent
+    Location where;
+};
+
+enum class PassKind : std::uint8_t { image, geometry };
+
+/// What the frame offers a pass, beside its inputs.
+struct Reads {
+    bool camera = false;
+    bool lights = false;
+    bool frame = false;
+    bool elements = false;
+};
+
+/// One layout of a geometry pass: a codec per output, by name.
+struct Layout {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> codecs;
+};
+
+/// GLSL text with the names it puts at global scope, so that each use can be renamed.
+struct GlslText {
+    std::string file; ///< for messages
+    int first_line = 1;
+    std::string text; ///< without `#include` lines (they are blank)
+    std::vector<std::string> globals; ///< functions, constants, structs
+    std::vector<std::string> macros;  ///< #define'd in the text
+    std::vector<std::shared_ptr<const GlslText>> includes;
+};
+
+/// A pass: the header's content, the body, and what was derived from it.
+struct PassDeclaration {
+    std::string name;
+    std::string family; ///< the folder it stands in
+    std::string summary;
+    std::string source; ///< where the idea comes from
+    std::string file;
+    PassKind kind = PassKind::image;
+    std::vector<InputPort> inputs;
+    std::vector<OutputPort> outputs;
+    std::vector<Param> params;
+    std::vector<Selection> selections;
+    std::vector<Layout> layouts; ///< of a geometry pass; selected by the selection "layout"
+    Reads reads;
+    std::string identity_when; ///< a GLSL condition on parameters, or ""
+    std::string identity_is;   ///< the input that the pass then is
+    GlslText body;
+    std::shared_ptr<const GraphDescription> composite; ///< set when the pass is a graph file with ports
+
+    int find_input(std::string_view wanted) const;  ///< index or -1
+    int find_output(std::string_view wanted) const;
+    int find_param(std::string_view wanted) const;
+    int find_selection(std::string_view wanted) const;
+};
+
+using PassPtr = std::shared_ptr<const PassDeclaration>;
+
+} // namespace passgraph

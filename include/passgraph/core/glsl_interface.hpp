@@ -1,0 +1,65 @@
+// What generated GLSL expects of the program that runs it: block layouts, buffer layouts, attribute locations, names.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <passgraph/core/declaration.hpp>
+
+namespace passgraph::glsl {
+
+// Names in generated programs.
+inline constexpr const char* kCameraBlock = "passgraph_camera_block";
+inline constexpr const char* kFrameBlock = "passgraph_frame_block";
+inline constexpr const char* kLightsBuffer = "passgraph_lights";     ///< samplerBuffer, kLightTexels RGBA32F each
+inline constexpr const char* kElementsBuffer = "passgraph_elements"; ///< samplerBuffer, kElementTexels RGBA32F each
+inline constexpr const char* kElementIndex = "passgraph_element";    ///< int uniform, per draw of a geometry step
+inline constexpr const char* kBaseColorTexture = "passgraph_base_color_texture";
+inline constexpr const char* kMetallicRoughnessTexture = "passgraph_metallic_roughness_texture";
+inline constexpr const char* kEmissiveTexture = "passgraph_emissive_texture";
+
+// Vertex attributes of geometry steps: vec3 position, vec3 normal, vec2 uv.
+inline constexpr unsigned kPositionLocation = 0;
+inline constexpr unsigned kNormalLocation = 1;
+inline constexpr unsigned kUvLocation = 2;
+
+/// std140 block of the camera. Matrices are column-major.
+struct CameraBlock {
+    std::array<float, 16> clip_from_view;
+    std::array<float, 16> view_from_world; ///< rotation and translation
+    std::array<float, 16> world_from_view;
+    std::array<float, 4> ray; ///< view_ray(uv) = vec3((uv * 2 - 1) * ray.xy + ray.zw, -1): the view-space place at z = -1
+    std::array<float, 4> range; ///< near, far, 0, 0
+};
+static_assert(sizeof(CameraBlock) == 224);
+
+/// std140 block of the frame.
+struct FrameBlock {
+    float time = 0.0f;      ///< seconds, wrapped at 3600
+    float delta = 0.0f;     ///< seconds since the last frame
+    std::int32_t index = 0; ///< frame number
+    std::int32_t is_cut = 1; ///< 1 when nothing of the last frame is to be trusted
+    std::int32_t light_count = 0;
+    std::int32_t padding[3] = {0, 0, 0};
+};
+static_assert(sizeof(FrameBlock) == 32);
+
+/// A light in the lights buffer, in view space: (color, kind: 0 directional, 1 point), (direction it travels, radius),
+/// (position, 0).
+inline constexpr int kLightTexels = 3;
+
+/// An element in the elements buffer: three rows of view_from_model; three rows of its normal matrix (the adjugate's
+/// transpose, so singular and mirrored transforms stay finite; w of the first row: 1 when the transform mirrors);
+/// base color; (metallic, roughness, specular, 1 when double-sided); (emissive, 0).
+inline constexpr int kElementTexels = 9;
+
+/// GLSL of the accessors for what a step reads: view_ray(uv), light(i), random(pixel, n), ...
+std::string accessors(const Reads& reads, PassKind kind);
+/// GLSL of the element accessors in the vertex stage of a geometry step.
+std::string vertex_accessors(const Reads& reads);
+/// Names those accessors define, for messages and reserved-name checks.
+const std::vector<std::string>& accessor_names(const std::string& read);
+
+} // namespace passgraph::glsl

@@ -1,0 +1,118 @@
+// The compiled result: steps in order, memory, formats, programs, and the reason for every decision. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <passgraph/core/codec.hpp>
+#include <passgraph/core/declaration.hpp>
+#include <passgraph/core/picture.hpp>
+#include <passgraph/core/signal.hpp>
+
+namespace passgraph {
+
+struct Plan {
+    /// One texture of memory, shared over time by images that never live together.
+    struct Slot {
+        Format format = Format::rgba16f;
+        Extent extent;
+        std::vector<std::string> images; ///< who lives here, in order of time
+    };
+
+    /// A picture or cube map the host supplies, by name. `extent` is that the plan was compiled for (pictures only).
+    struct Import {
+        enum class Kind : std::uint8_t { picture, cube, sky };
+        Kind kind = Kind::picture;
+        std::string name;
+        Signal signal = Signal::radiance;
+        Extent extent;
+    };
+
+    /// A texture bound to a sampler of the step's program.
+    struct Read {
+        enum class Source : std::uint8_t { slot, import };
+        Source source = Source::slot;
+        int index = 0;        ///< into `slots` or `imports`
+        std::string sampler;  ///< the uniform's name: sampler2D, or samplerCube for cube and sky imports
+        Filter filter = Filter::nearest;
+        AddressMode wrap = AddressMode::clamp;
+        bool has_levels = false; ///< sampled with mip levels (imports only)
+        std::string image;    ///< whose value it is, for people
+    };
+
+    /// A live parameter: `place` ("lit.exposure") is how people name it.
+    struct Uniform {
+        std::string name;
+        std::string place;
+        ParamType type = ParamType::float_;
+        Value value;
+        double lowest = 0.0;
+        double highest = 0.0;
+    };
+
+    /// A color attachment, at the location of its position in `targets`.
+    struct Target {
+        int slot = 0;
+        std::string image;
+    };
+
+    /// One draw of a full-screen triangle, or one traversal of the scene's elements.
+    struct Step {
+        enum class Kind : std::uint8_t { draw, geometry };
+        Kind kind = Kind::draw;
+        std::string name;                ///< the passes joined with " + "
+        std::vector<std::string> passes; ///< node names
+        Extent extent;
+        std::vector<Read> reads;
+        std::vector<Uniform> uniforms;
+        std::vector<Target> targets;
+        int depth_slot = -1;             ///< geometry: the depth attachment; -1 for draws
+        Reads host;                      ///< camera, lights, frame, elements: which blocks and buffers are bound
+        std::string vertex;              ///< complete GLSL 3.30 sources
+        std::string fragment;
+        std::vector<std::string> sources; ///< file of each `#line` source number, for messages
+    };
+
+    struct Output {
+        std::string name;
+        std::string image;
+        Read::Source source = Read::Source::slot;
+        int index = 0;
+        Signal signal = Signal::radiance;
+        Codec codec;
+        Extent extent;
+    };
+
+    /// An edge that stayed a texture, and why.
+    struct Boundary {
+        std::string image;
+        std::string reader;
+        std::string reason;
+    };
+
+    struct Culled {
+        std::string pass;
+        std::string reason;
+    };
+
+    Extent extent;
+    std::vector<Import> imports;
+    std::vector<Slot> slots;
+    std::vector<Step> steps;
+    std::vector<Output> outputs;
+    std::vector<Boundary> boundaries;
+    std::vector<Culled> culled;
+    std::vector<std::string> inlined; ///< images that need no memory
+    std::int64_t bytes = 0;           ///< of all slots
+    std::int64_t bytes_unshared = 0;  ///< had every stored image its own texture
+};
+
+/// The plan for people: steps, memory, boundaries with reasons.
+std::string to_text(const Plan& plan);
+/// The plan as a JSON object (`"passgraph": 1`), schema in lib/core/plan.schema.json; `with_glsl` adds the sources.
+std::string to_json(const Plan& plan, bool with_glsl);
+/// The plan as a Graphviz digraph.
+std::string to_dot(const Plan& plan);
+
+} // namespace passgraph

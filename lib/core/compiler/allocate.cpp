@@ -1,0 +1,59 @@
+// Lifetimes to slots: images that never live together share memory.
+#include <algorithm>
+
+#include "core/compiler/ir.hpp"
+
+namespace passgraph::compiler {
+
+std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws, const Order& order)
+{
+    std::map<ImageRef, Lifetime, ImageLess> lifetimes;
+    for (size_t time = 0; time < order.size(); ++time) {
+        const Draw& draw = draws.draws[static_cast<size_t>(order[time])];
+        for (const ImageRef image : draw.stored)
+            lifetimes[image] = {image, static_cast<int>(time), static_cast<int>(time)};
+        for (const ExternalRead& read : external_reads(graph, draw.nodes))
+            if (const auto found = lifetimes.find(read.image); found != lifetimes.end())
+                found->second.last = static_cast<int>(time);
+    }
+    // The host reads outputs after the frame.
+    for (const GraphOutput& output : graph.graph->outputs())
+        if (const auto found = lifetimes.find(output.from); found != lifetimes.end())
+            found->second.last = static_cast<int>(order.size());
+    std::vector<Lifetime> sorted;
+    for (const auto& [image, lifetime] : lifetimes)
+        sorted.push_back(lifetime);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Lifetime& a, const Lifetime& b) { return a.first < b.first; });
+    return sorted;
+}
+
+/// Interval colouring, left edge first, among slots of exactly equal descriptor.
+///
+/// An image takes a new slot only when every slot of its kind holds an image that is still needed, so the number of slots of
+/// a kind is the largest number of its images alive at one time: no fewer can do.  O(images * slots).
+Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes, bool is_shared)
+{
+    Slots result;
+    std::vector<int> busy_until;
+    for (const Lifetime& lifetime : lifetimes) {
+        const Format format = encoding.of(lifetime.image).format;
+        const Extent extent = graph.image(lifetime.image).extent;
+        const std::int64_t bytes = static_cast<std::int64_t>(bytes_per_texel(format)) * extent.width * extent.height;
+        result.bytes_unshared += bytes;
+        size_t slot = 0;
+        while (slot < result.slots.size() && !(is_shared && result.slots[slot].format == format && result.slots[slot].extent == extent &&
+                                               busy_until[slot] < lifetime.first))
+            ++slot;
+        if (slot == result.slots.size()) {
+            result.slots.push_back({format, extent, {}});
+            busy_until.push_back(0);
+            result.bytes += bytes;
+        }
+        busy_until[slot] = lifetime.last;
+        result.slots[slot].images.push_back(graph.graph->image_name(lifetime.image));
+        result.slot_of[lifetime.image] = static_cast<int>(slot);
+    }
+    return result;
+}
+
+} // namespace passgraph::compiler

@@ -1,0 +1,239 @@
+// Calls instead of fetches: passes that read one another at their own pixel become one draw.
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/compiler/ir.hpp"
+
+namespace passgraph::compiler {
+namespace {
+
+/// Grows draws by merging the draw of a reader with the draw of what it reads, edge by edge in declaration order.
+class Fusion {
+public:
+    Fusion(const TypedGraph& graph, const Liveness& live, const CompileOptions& options)
+        : graph_(graph), options_(options), draw_of_(static_cast<size_t>(graph.node_count()), -1)
+    {
+        for (int node = 0; node < graph.node_count(); ++node) {
+            if (live.is_live[static_cast<size_t>(node)] && graph.is_pass(node)) {
+                draw_of_[static_cast<size_t>(node)] = static_cast<int>(members_.size());
+                members_.push_back({node});
+            }
+        }
+    }
+
+    void merge_what_may()
+    {
+        if (!options_.fuse)
+            return;
+        for_each_edge([&](ImageRef image, int reader, int) {
+            const int a = draw_of(image.node);
+            const int b = draw_of(reader);
+            if (a != b && why_not(a, b).empty())
+                merge(a, b);
+        });
+    }
+
+    Draws result() const
+    {
+        Draws result;
+        result.draw_of.assign(draw_of_.size(), -1);
+        for (const std::vector<int>& nodes : members_) {
+            if (nodes.empty())
+                continue;
+            for (const int node : nodes)
+                result.draw_of[static_cast<size_t>(node)] = static_cast<int>(result.draws.size());
+            result.draws.push_back({nodes, stored_images(nodes)});
+        }
+        std::set<std::pair<std::string, std::string>> seen;
+        for_each_edge([&](ImageRef image, int reader, int) {
+            const int a = draw_of(image.node);
+            const int b = draw_of(reader);
+            if (a != b && seen.emplace(graph_.graph->image_name(image), graph_.node(reader).name).second)
+                result.boundaries.push_back({graph_.graph->image_name(image), graph_.node(reader).name, why_not(a, b)});
+        });
+        add_inlined(result);
+        return result;
+    }
+
+private:
+    int draw_of(int node) const { return draw_of_[static_cast<size_t>(node)]; }
+    const std::vector<int>& members(int draw) const { return members_[static_cast<size_t>(draw)]; }
+
+    /// Every edge between two drawn passes: the image, its reader, and the reader's port.
+    template <class Visit>
+    void for_each_edge(const Visit& visit) const
+    {
+        for (int reader = 0; reader < graph_.node_count(); ++reader) {
+            if (draw_of(reader) < 0)
+                continue;
+            const auto& inputs = graph_.node(reader).inputs;
+            for (size_t port = 0; port < inputs.size(); ++port)
+                if (inputs[port] && draw_of(inputs[port]->from.node) >= 0)
+                    visit(inputs[port]->from, reader, static_cast<int>(port));
+        }
+    }
+
+    void merge(int a, int b)
+    {
+        std::vector<int>& into = members_[static_cast<size_t>(std::min(a, b))];
+        std::vector<int>& from = members_[static_cast<size_t>(std::max(a, b))];
+        for (const int node : from)
+            draw_of_[static_cast<size_t>(node)] = std::min(a, b);
+        into.insert(into.end(), from.begin(), from.end());
+        std::sort(into.begin(), into.end()); // declaration order: producers first
+        from.clear();
+    }
+
+    /// Why the draws `a` (producer) and `b` (reader) must stay apart; "" when they may become one.
+    std::string why_not(int a, int b) const
+    {
+        if (!options_.fuse)
+            return "fusion is off";
+        for (const int draw : {a, b})
+            for (const int node : members(draw))
+                if (graph_.node(node).pass->kind == PassKind::geometry)
+                    return fmt::format("{} draws the scene's geometry", graph_.node(node).name);
+        if (const std::string reason = why_not_read(a, b); !reason.empty())
+            return reason;
+        if (const int between = draw_between(a, b); between >= 0)
+            return fmt::format("{} stands between them", graph_.node(members(between).front()).name);
+        return why_not_fit(a, b);
+    }
+
+    std::string why_not_read(int a, int b) const
+    {
+        std::string reason;
+        for_each_edge([&](ImageRef image, int reader, int port) {
+            if (!reason.empty() || draw_of(image.node) != a || draw_of(reader) != b)
+                return;
+            const InputPort& input = graph_.node(reader).pass->inputs[static_cast<size_t>(port)];
+            const bool is_at_pixel = input.access.kind == AccessClass::pointwise || input.access.kind == AccessClass::size_only;
+            if (!is_at_pixel)
+                reason = fmt::format("{}.{} reads it as {}", graph_.node(reader).name, input.name, to_text(input.access));
+        });
+        if (!reason.empty())
+            return reason;
+        const Extent from = extent_of(members(a).front());
+        const Extent to = extent_of(members(b).front());
+        if (!(from == to))
+            return fmt::format("extents differ: {}x{} and {}x{}", from.width, from.height, to.width, to.height);
+        return "";
+    }
+
+    /// A draw has one extent: outputs of one pass that differ keep it alone.
+    Extent extent_of(int node) const
+    {
+        const auto& images = graph_.images[static_cast<size_t>(node)];
+        return images.empty() ? options_.extent : images.front().extent;
+    }
+
+    /// A draw other than the two on a path from `a` to `b`: merging would make it wait for itself. -1: none.
+    int draw_between(int a, int b) const
+    {
+        std::vector<int> first_hop(members_.size(), -1); // the draw by which a path leaves `a`
+        bool is_changed = true;
+        while (is_changed) {
+            is_changed = false;
+            for_each_edge([&](ImageRef image, int reader, int) {
+                const int from = draw_of(image.node);
+                const int to = draw_of(reader);
+                if (from == to || to == a)
+                    return;
+                const int via = from == a ? (to == b ? -1 : to) : first_hop[static_cast<size_t>(from)];
+                if (via >= 0 && first_hop[static_cast<size_t>(to)] < 0) {
+                    first_hop[static_cast<size_t>(to)] = via;
+                    is_changed = true;
+                }
+            });
+        }
+        return first_hop[static_cast<size_t>(b)];
+    }
+
+    std::string why_not_fit(int a, int b) const
+    {
+        std::vector<int> both = members(a);
+        both.insert(both.end(), members(b).begin(), members(b).end());
+        std::sort(both.begin(), both.end());
+        std::set<std::tuple<int, int, Filter, AddressMode, bool>> textures;
+        for (const ExternalRead& read : external_reads(graph_, both)) {
+            const InputPort& port = graph_.node(read.node).pass->inputs[static_cast<size_t>(read.port)];
+            textures.emplace(read.image.node, read.image.output, port.filter, port.wrap, port.has_levels);
+        }
+        constexpr int kHostBuffers = 1; // the lights
+        if (static_cast<int>(textures.size()) + kHostBuffers > options_.device.max_texture_units)
+            return fmt::format("together they read {} textures, the device allows {}", textures.size(), options_.device.max_texture_units - kHostBuffers);
+        if (const size_t targets = stored_images(both).size(); static_cast<int>(targets) > options_.device.max_color_targets)
+            return fmt::format("together they store {} images, the device allows {}", targets, options_.device.max_color_targets);
+        return "";
+    }
+
+    std::vector<ImageRef> stored_images(const std::vector<int>& nodes) const
+    {
+        const auto is_inside = [&](int node) { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); };
+        std::set<ImageRef, ImageLess> stored;
+        for (const GraphOutput& output : graph_.graph->outputs())
+            if (is_inside(output.from.node))
+                stored.insert(output.from);
+        for_each_edge([&](ImageRef image, int reader, int) {
+            if (is_inside(image.node) && !is_inside(reader))
+                stored.insert(image);
+        });
+        for (const int node : nodes) {
+            const PassDeclaration& pass = *graph_.node(node).pass;
+            // Geometry needs its depth buffer whoever reads it; a pass kept alive by force needs somewhere to draw.
+            const int depth = pass.kind == PassKind::geometry ? pass.find_output("depth") : -1;
+            if (depth >= 0)
+                stored.insert({node, depth});
+            if (stored.empty() && nodes.size() == 1)
+                stored.insert({node, 0});
+        }
+        return {stored.begin(), stored.end()};
+    }
+
+    void add_inlined(Draws& result) const
+    {
+        std::set<ImageRef, ImageLess> stored;
+        for (const Draw& draw : result.draws)
+            stored.insert(draw.stored.begin(), draw.stored.end());
+        std::set<ImageRef, ImageLess> inlined;
+        for_each_edge([&](ImageRef image, int, int) {
+            if (!stored.contains(image) && inlined.insert(image).second)
+                result.inlined.push_back(graph_.graph->image_name(image));
+        });
+    }
+
+    const TypedGraph& graph_;
+    const CompileOptions& options_;
+    std::vector<int> draw_of_;
+    std::vector<std::vector<int>> members_;
+};
+
+} // namespace
+
+std::vector<ExternalRead> external_reads(const TypedGraph& graph, const std::vector<int>& nodes)
+{
+    std::vector<ExternalRead> reads;
+    for (const int node : nodes) {
+        const auto& inputs = graph.node(node).inputs;
+        for (size_t port = 0; port < inputs.size(); ++port) {
+            if (!inputs[port] || graph.image(inputs[port]->from).over == Over::scene)
+                continue;
+            if (std::find(nodes.begin(), nodes.end(), inputs[port]->from.node) == nodes.end())
+                reads.push_back({inputs[port]->from, node, static_cast<int>(port)});
+        }
+    }
+    return reads;
+}
+
+Draws fuse(const TypedGraph& graph, const Liveness& live, const CompileOptions& options)
+{
+    Fusion fusion(graph, live, options);
+    fusion.merge_what_may();
+    return fusion.result();
+}
+
+} // namespace passgraph::compiler

@@ -1,0 +1,202 @@
+// Draws to steps: textures bound, targets attached, parameters as uniforms, and the GLSL of each step.
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/compiler/ir.hpp"
+#include "core/glsl/assemble.hpp"
+
+namespace passgraph::compiler {
+namespace {
+
+class StepLowering {
+public:
+    StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots, const std::map<ImageRef, int, ImageLess>& imports,
+                 const Draw& draw, const CompileOptions& options)
+        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw), options_(options)
+    {
+    }
+
+    Plan::Step run()
+    {
+        for (const int node : draw_.nodes)
+            add_instance(node);
+        add_targets();
+        glsl::StepText text = glsl::assemble(source_);
+        step_.vertex = std::move(text.vertex);
+        step_.fragment = std::move(text.fragment);
+        step_.sources = std::move(text.sources);
+        step_.name = fmt::format("{}", fmt::join(step_.passes, " + "));
+        step_.kind = source_.kind == PassKind::geometry ? Plan::Step::Kind::geometry : Plan::Step::Kind::draw;
+        step_.host = source_.reads;
+        return std::move(step_);
+    }
+
+private:
+    static void add(Reads& into, const Reads& more)
+    {
+        into.camera |= more.camera;
+        into.lights |= more.lights;
+        into.frame |= more.frame;
+        into.elements |= more.elements;
+    }
+
+    void add_instance(int node_index)
+    {
+        const GraphNode& node = graph_.node(node_index);
+        glsl::Instance instance;
+        instance.pass = node.pass.get();
+        instance.number = static_cast<int>(source_.instances.size());
+        instance.params = node.params;
+        instance.is_static = node.is_static;
+        instance.selections = node.selections;
+        for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
+            instance.signals.push_back(image.signal);
+        for (size_t i = 0; i < node.inputs.size(); ++i)
+            instance.inputs.push_back(input_source(node, i));
+        for (size_t i = 0; i < node.pass->params.size(); ++i) {
+            const Param& param = node.pass->params[i];
+            if (!node.is_static[i])
+                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.name + "." + param.name, param.type,
+                                          node.params[i], param.lowest, param.highest});
+        }
+        source_.kind = node.pass->kind;
+        add(source_.reads, node.pass->reads);
+        source_.reads.camera |= source_.kind == PassKind::geometry; // places every vertex
+        step_.passes.push_back(node.name);
+        instance_of_[node_index] = instance.number;
+        source_.instances.push_back(std::move(instance));
+    }
+
+    glsl::InputSource input_source(const GraphNode& node, size_t index)
+    {
+        const InputPort& port = node.pass->inputs[index];
+        const auto& wire = node.inputs[index];
+        glsl::InputSource source;
+        source.extent = {1, 1};
+        if (!wire || port.over == Over::scene)
+            return source;
+        const TypedImage& image = graph_.image(wire->from);
+        source.signal = image.signal;
+        source.codec = encoding_.of(wire->from);
+        source.extent = image.extent;
+        if (const auto inside = instance_of_.find(wire->from.node); inside != instance_of_.end()) {
+            source.kind = glsl::InputSource::Kind::value;
+            source.name = glsl::value_name(source_.instances[static_cast<size_t>(inside->second)], static_cast<size_t>(wire->from.output));
+            return source;
+        }
+        source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
+        source.is_import = imports_.contains(wire->from);
+        source.name = sampler_for(wire->from, port);
+        return source;
+    }
+
+    /// The sampler that reads an image in the port's way; equal ways share one.
+    std::string sampler_for(ImageRef image, const InputPort& port)
+    {
+        Plan::Read read;
+        const auto import = imports_.find(image);
+        read.source = import == imports_.end() ? Plan::Read::Source::slot : Plan::Read::Source::import;
+        read.index = import == imports_.end() ? slots_.slot_of.at(image) : import->second;
+        read.filter = port.over == Over::sphere ? Filter::linear : port.filter;
+        read.wrap = port.wrap;
+        read.has_levels = port.has_levels || port.over == Over::sphere;
+        read.image = graph_.graph->image_name(image);
+        const auto same = std::find_if(step_.reads.begin(), step_.reads.end(), [&](const Plan::Read& other) {
+            return other.source == read.source && other.index == read.index && other.filter == read.filter && other.wrap == read.wrap &&
+                   other.has_levels == read.has_levels;
+        });
+        if (same != step_.reads.end())
+            return same->sampler;
+        read.sampler = fmt::format("t{}", step_.reads.size());
+        source_.samplers.push_back({read.sampler, port.over == Over::sphere});
+        step_.reads.push_back(read);
+        return read.sampler;
+    }
+
+    void add_targets()
+    {
+        for (const ImageRef image : draw_.stored) {
+            const int slot = slots_.slot_of.at(image);
+            step_.extent = graph_.image(image).extent;
+            if (is_depth(encoding_.of(image).format)) {
+                step_.depth_slot = slot;
+                continue;
+            }
+            const glsl::Instance& instance = source_.instances[static_cast<size_t>(instance_of_.at(image.node))];
+            source_.targets.push_back({glsl::value_name(instance, static_cast<size_t>(image.output)), graph_.image(image).signal, encoding_.of(image)});
+            step_.targets.push_back({slot, graph_.graph->image_name(image)});
+        }
+    }
+
+    const TypedGraph& graph_;
+    const Encoding& encoding_;
+    const Slots& slots_;
+    const std::map<ImageRef, int, ImageLess>& imports_;
+    const Draw& draw_;
+    const CompileOptions& options_;
+    Plan::Step step_;
+    glsl::StepSource source_;
+    std::map<int, int> instance_of_;
+};
+
+/// Host pictures and cube maps that a step reads or an output names.
+std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const Draws& draws, Plan& plan)
+{
+    std::map<ImageRef, int, ImageLess> imports;
+    const auto add = [&](ImageRef image) {
+        const GraphNode& node = graph.node(image.node);
+        if (node.kind == GraphNode::Kind::pass || !imports.emplace(image, static_cast<int>(plan.imports.size())).second)
+            return;
+        Plan::Import import;
+        import.kind = node.kind == GraphNode::Kind::scene  ? Plan::Import::Kind::sky
+                      : node.kind == GraphNode::Kind::cube ? Plan::Import::Kind::cube
+                                                           : Plan::Import::Kind::picture;
+        import.name = node.kind == GraphNode::Kind::scene ? node.name + ".sky" : node.name;
+        import.signal = graph.image(image).signal;
+        import.extent = graph.image(image).extent;
+        plan.imports.push_back(import);
+    };
+    for (const Draw& draw : draws.draws)
+        for (const ExternalRead& read : external_reads(graph, draw.nodes))
+            add(read.image);
+    for (const GraphOutput& output : graph.graph->outputs())
+        add(output.from);
+    return imports;
+}
+
+} // namespace
+
+Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order, const Slots& slots,
+           const CompileOptions& options)
+{
+    Plan plan;
+    plan.extent = options.extent;
+    const auto imports = find_imports(graph, draws, plan);
+    plan.slots = slots.slots;
+    plan.bytes = slots.bytes;
+    plan.bytes_unshared = slots.bytes_unshared;
+    plan.boundaries = draws.boundaries;
+    plan.inlined = draws.inlined;
+    for (const int draw : order)
+        plan.steps.push_back(StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
+    for (const GraphOutput& output : graph.graph->outputs()) {
+        Plan::Output result;
+        result.name = output.name;
+        result.image = graph.graph->image_name(output.from);
+        const auto import = imports.find(output.from);
+        result.source = import == imports.end() ? Plan::Read::Source::slot : Plan::Read::Source::import;
+        result.index = import == imports.end() ? slots.slot_of.at(output.from) : import->second;
+        result.signal = graph.image(output.from).signal;
+        result.codec = encoding.of(output.from);
+        result.extent = graph.image(output.from).extent;
+        plan.outputs.push_back(std::move(result));
+    }
+    return plan;
+}
+
+} // namespace passgraph::compiler

@@ -1,0 +1,190 @@
+// Composites: a graph file with ports, declared like a pass and expanded where it is used.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/graph_settings.hpp"
+#include "passgraph/core/graph_file.hpp"
+
+namespace passgraph {
+namespace {
+
+void declare_ports(PassDeclaration& pass, const GraphDescription& description, const Graph& inside)
+{
+    for (const auto& input : description.inputs) {
+        InputPort port;
+        port.name = input.name;
+        port.signal = input.signal;
+        port.where = input.where;
+        port.over = input.kind == GraphNode::Kind::cube ? Over::sphere : Over::image;
+        pass.inputs.push_back(std::move(port));
+    }
+    for (const GraphOutput& output : inside.outputs()) {
+        OutputPort port;
+        port.name = output.name;
+        port.where = output.where;
+        const GraphNode& node = inside.nodes()[static_cast<size_t>(output.from.node)];
+        port.signal = node.kind == GraphNode::Kind::pass ? node.pass->outputs[static_cast<size_t>(output.from.output)].signal
+                                                         : node.signal;
+        pass.outputs.push_back(std::move(port));
+    }
+}
+
+/// A routed setting takes its declaration from the first place it leads to, and its default from the value there.
+void declare_settings(PassDeclaration& pass, const GraphDescription& description, const Graph& inside)
+{
+    for (const GraphParam& route : description.params) {
+        const std::vector<std::string> places = inside.places_of(route.name);
+        if (places.empty())
+            continue;
+        const size_t dot = places.front().rfind('.');
+        const GraphNode& node = inside.nodes()[static_cast<size_t>(inside.find_node(places.front().substr(0, dot)))];
+        const std::string setting = places.front().substr(dot + 1);
+        if (const int param = node.pass->find_param(setting); param >= 0) {
+            Param declared = node.pass->params[static_cast<size_t>(param)];
+            declared.name = route.name;
+            declared.default_value = node.params[static_cast<size_t>(param)];
+            declared.is_static = node.is_static[static_cast<size_t>(param)];
+            pass.params.push_back(std::move(declared));
+        } else {
+            const auto selection = static_cast<size_t>(node.pass->find_selection(setting));
+            Selection declared = node.pass->selections[selection];
+            declared.name = route.name;
+            declared.default_item = node.selections[selection];
+            pass.selections.push_back(std::move(declared));
+        }
+    }
+}
+
+} // namespace
+
+Result<PassPtr> declare_composite(std::shared_ptr<const GraphDescription> description, const std::string& family,
+                                  const PassLibrary& library)
+{
+    if (description->composite_name.empty())
+        return fail({"not_a_composite", "the file lacks \"pass\": the name of the composite", "", {description->file, 1, 1}});
+    const Graph inside = build_graph(*description, library);
+    if (!inside.errors().empty())
+        return tl::unexpected(inside.errors());
+    auto pass = std::make_shared<PassDeclaration>();
+    pass->name = description->composite_name;
+    pass->family = family;
+    pass->summary = description->summary;
+    pass->source = description->source;
+    pass->file = description->file;
+    declare_ports(*pass, *description, inside);
+    declare_settings(*pass, *description, inside);
+    pass->composite = std::move(description);
+    return PassPtr(std::move(pass));
+}
+
+namespace {
+
+using NamedImage = std::pair<std::string, ImageRef>;
+
+/// Reports what a use of a composite gets wrong about its ports; returns the image wired to each.
+std::vector<NamedImage> match_inputs(const PassDeclaration& pass, const PassArguments& arguments, Graph& graph)
+{
+    std::vector<NamedImage> images;
+    std::vector<std::string> names;
+    for (const InputPort& port : pass.inputs)
+        names.push_back(port.name);
+    for (const PassArguments::Input& input : arguments.inputs) {
+        if (pass.find_input(input.name) >= 0)
+            images.emplace_back(input.name, input.image.ref());
+        else
+            graph.report({"unknown_input", fmt::format("{} ({}) has no input `{}`", arguments.name, pass.name, input.name),
+                          suggest(input.name, names, "inputs"), input.where});
+    }
+    for (const InputPort& port : pass.inputs) {
+        if (std::any_of(images.begin(), images.end(), [&](const NamedImage& image) { return image.first == port.name; }))
+            continue;
+        graph.report({"input_missing", fmt::format("{} ({}): the input `{}` is not wired", arguments.name, pass.name, port.name),
+                      fmt::format("wire an image of signal {} to it", info(port.signal).name), arguments.where});
+        images.emplace_back(port.name, ImageRef{});
+    }
+    return images;
+}
+
+/// Sets what a use of a composite asks for on the inner graph, through the composite's routes.
+void route_settings(const PassDeclaration& pass, const PassArguments& arguments, Graph& inside, Errors& errors)
+{
+    GraphNode outer; // checks names and values against the composite's own declaration
+    outer.name = arguments.name;
+    outer.pass = std::shared_ptr<const PassDeclaration>(std::shared_ptr<const PassDeclaration>(), &pass);
+    for (const Param& param : pass.params)
+        outer.params.push_back(param.default_value);
+    for (const Selection& selection : pass.selections)
+        outer.selections.push_back(selection.default_item);
+    for (const PassArguments::Setting& setting : arguments.settings) {
+        const size_t before = errors.size();
+        apply_setting(outer, setting, errors);
+        if (errors.size() > before)
+            continue;
+        if (auto set = inside.set(setting.name, setting); !set)
+            errors.insert(errors.end(), set.error().begin(), set.error().end());
+    }
+}
+
+} // namespace
+
+AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
+{
+    Graph inside = build_graph(*pass->composite, *library_);
+    const std::vector<NamedImage> images = match_inputs(*pass, arguments, *this);
+    route_settings(*pass, arguments, inside, errors_);
+    if (arguments.scale || arguments.size_of)
+        report({"scale_on_composite", fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
+                "scale its input instead, with a pass such as downsample", arguments.where});
+
+    std::vector<int> moved(inside.nodes().size(), -1);
+    const auto here = [&](ImageRef image) {
+        if (image.node < 0 || inside.nodes()[static_cast<size_t>(image.node)].kind == GraphNode::Kind::pass)
+            return image.node < 0 ? image : ImageRef{moved[static_cast<size_t>(image.node)], image.output};
+        for (const auto& [name, outside] : images)
+            if (name == inside.nodes()[static_cast<size_t>(image.node)].name)
+                return outside;
+        return ImageRef{};
+    };
+    for (size_t i = 0; i < inside.nodes().size(); ++i) {
+        GraphNode node = inside.nodes()[i];
+        if (node.kind != GraphNode::Kind::pass)
+            continue;
+        for (auto& wire : node.inputs)
+            if (wire)
+                wire = Wire{here(wire->from), arguments.where};
+        if (node.size_of)
+            node.size_of = here(*node.size_of);
+        for (const auto& [name, where] : arguments.statics)
+            for (const std::string& place : inside.places_of(name))
+                if (place.substr(0, place.rfind('.')) == node.name)
+                    if (const int param = node.pass->find_param(place.substr(place.rfind('.') + 1)); param >= 0)
+                        node.is_static[static_cast<size_t>(param)] = true;
+        node.name = fmt::format("{}.{}", arguments.name, node.name);
+        moved[i] = static_cast<int>(nodes_.size());
+        nodes_.push_back(std::move(node));
+    }
+
+    std::vector<NamedImage> outputs;
+    for (const GraphOutput& output : inside.outputs())
+        outputs.emplace_back(output.name, here(output.from));
+    for (const PassArguments::Setting& codec : arguments.codecs)
+        for (const auto& [name, image] : outputs)
+            if (name == codec.name) {
+                PassArguments::Setting inner = codec;
+                GraphNode& node = nodes_[static_cast<size_t>(image.node)];
+                inner.name = node.pass->outputs[static_cast<size_t>(image.output)].name;
+                apply_codec(node, inner, errors_);
+            }
+    // The settings of a composite stay settable under its own name.
+    for (const GraphParam& route : inside.params()) {
+        GraphParam outer{.name = arguments.name + "." + route.name, .places = {}, .where = arguments.where};
+        for (const std::string& place : route.places)
+            outer.places.push_back(arguments.name + "." + place);
+        params_.push_back(std::move(outer));
+    }
+    composites_.emplace_back(arguments.name, outputs);
+    return AddedPass(*this, std::move(outputs), arguments.name);
+}
+
+} // namespace passgraph

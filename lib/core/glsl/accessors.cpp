@@ -1,0 +1,152 @@
+// GLSL of what the frame offers a pass beside its inputs: camera, lights, frame, elements.
+#include <cassert>
+#include <map>
+
+#include "passgraph/core/glsl_interface.hpp"
+
+namespace passgraph::glsl {
+namespace {
+
+constexpr const char* kCamera = R"(layout(std140) uniform passgraph_camera_block
+{
+    mat4 passgraph_clip_from_view;
+    mat4 passgraph_view_from_world;
+    mat4 passgraph_world_from_view;
+    vec4 passgraph_ray;
+    vec4 passgraph_range;
+};
+vec3 view_ray(vec2 uv) { return vec3((uv * 2.0 - 1.0) * passgraph_ray.xy + passgraph_ray.zw, -1.0); }
+vec3 world_from_view(vec3 direction) { return mat3(passgraph_world_from_view) * direction; }
+vec3 view_from_world(vec3 direction) { return mat3(passgraph_view_from_world) * direction; }
+vec3 camera_position() { return passgraph_world_from_view[3].xyz; }
+float view_distance(float depth)
+{
+    // Reversed depth d of the distance z: d = n (f - z) / (z (f - n)), so z = n f / (n + d (f - n)).
+    return passgraph_range.x * passgraph_range.y / (passgraph_range.x + depth * (passgraph_range.y - passgraph_range.x));
+}
+)";
+
+constexpr const char* kFrame = R"(layout(std140) uniform passgraph_frame_block
+{
+    float passgraph_time;
+    float passgraph_delta;
+    int passgraph_index;
+    int passgraph_is_cut;
+    int passgraph_light_count;
+};
+)";
+
+constexpr const char* kFrameAccessors = R"(float frame_time() { return passgraph_time; }
+float frame_delta() { return passgraph_delta; }
+int frame_index() { return passgraph_index; }
+bool frame_is_cut() { return passgraph_is_cut != 0; }
+float random(ivec2 pixel, int n)
+{
+    // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (pcg3d); 24 bits fill a float in [0, 1).
+    uvec3 v = uvec3(uint(pixel.x), uint(pixel.y), uint(n)) * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    return float(v.x >> 8u) * (1.0 / 16777216.0);
+}
+)";
+
+constexpr const char* kLights = R"(uniform samplerBuffer passgraph_lights;
+const int light_directional = 0;
+const int light_point = 1;
+struct Light
+{
+    int kind;
+    vec3 color;
+    vec3 direction;
+    vec3 position;
+    float radius;
+};
+int light_count() { return passgraph_light_count; }
+Light light(int i)
+{
+    vec4 color_and_kind = texelFetch(passgraph_lights, 3 * i);
+    vec4 direction_and_radius = texelFetch(passgraph_lights, 3 * i + 1);
+    vec4 position = texelFetch(passgraph_lights, 3 * i + 2);
+    return Light(int(color_and_kind.w), color_and_kind.rgb, direction_and_radius.xyz, position.xyz, direction_and_radius.w);
+}
+)";
+
+constexpr const char* kElements = R"(uniform int passgraph_element;
+uniform samplerBuffer passgraph_elements;
+uniform sampler2D passgraph_base_color_texture;
+uniform sampler2D passgraph_metallic_roughness_texture;
+uniform sampler2D passgraph_emissive_texture;
+vec4 passgraph_element_texel(int i) { return texelFetch(passgraph_elements, 9 * passgraph_element + i); }
+vec3 element_to_view(vec3 position)
+{
+    vec4 place = vec4(position, 1.0);
+    return vec3(dot(passgraph_element_texel(0), place), dot(passgraph_element_texel(1), place), dot(passgraph_element_texel(2), place));
+}
+vec3 element_normal_to_view(vec3 normal)
+{
+    return vec3(dot(passgraph_element_texel(3).xyz, normal), dot(passgraph_element_texel(4).xyz, normal),
+                dot(passgraph_element_texel(5).xyz, normal));
+}
+vec4 element_base_color(vec2 uv) { return passgraph_element_texel(6) * texture(passgraph_base_color_texture, uv); }
+vec2 element_roughness_metallic(vec2 uv)
+{
+    return passgraph_element_texel(7).yx * texture(passgraph_metallic_roughness_texture, uv).gb;
+}
+float element_specular() { return passgraph_element_texel(7).z; }
+vec3 element_emissive(vec2 uv) { return passgraph_element_texel(8).rgb * texture(passgraph_emissive_texture, uv).rgb; }
+)";
+
+std::string common_part(const Reads& reads)
+{
+    std::string text;
+    if (reads.camera)
+        text += kCamera;
+    if (reads.frame || reads.lights)
+        text += kFrame;
+    if (reads.frame)
+        text += kFrameAccessors;
+    if (reads.lights)
+        text += kLights;
+    if (reads.elements)
+        text += kElements;
+    return text;
+}
+
+} // namespace
+
+std::string accessors(const Reads& reads, PassKind kind)
+{
+    std::string text = common_part(reads);
+    if (reads.elements && kind == PassKind::geometry) {
+        // A mirrored element has its winding, and so the host's front face, flipped already.
+        text += "bool element_is_back_facing() { return !gl_FrontFacing; }\n";
+    }
+    return text;
+}
+
+std::string vertex_accessors(const Reads& reads)
+{
+    std::string text = common_part(reads);
+    if (reads.elements)
+        text += "bool element_is_back_facing() { return false; }\n";
+    return text;
+}
+
+const std::vector<std::string>& accessor_names(const std::string& read)
+{
+    static const std::map<std::string, std::vector<std::string>> names = {
+        {"camera", {"view_ray", "world_from_view", "view_from_world", "camera_position", "view_distance"}},
+        {"frame", {"frame_time", "frame_delta", "frame_index", "frame_is_cut", "random"}},
+        {"lights", {"light_count", "light", "Light", "light_directional", "light_point"}},
+        {"elements", {"element_to_view", "element_normal_to_view", "element_base_color", "element_roughness_metallic",
+                      "element_specular", "element_emissive", "element_is_back_facing"}},
+    };
+    const auto found = names.find(read);
+    assert(found != names.end());
+    return found->second;
+}
+
+} // namespace passgraph::glsl

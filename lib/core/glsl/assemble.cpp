@@ -1,0 +1,303 @@
+// Complete GLSL programs from passes: accessors, parameters, bodies, and a main that evaluates each pass once.
+#include "core/glsl/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include "core/glsl/module_text.hpp"
+#include "passgraph/core/glsl_interface.hpp"
+
+namespace passgraph::glsl {
+namespace {
+
+using Renames = std::vector<std::pair<std::string, std::string>>;
+
+std::string prefix_of(int number) { return fmt::format("p{}_", number); }
+
+int seen_components(const InputPort& port) { return info(port.signal).components; }
+
+std::string constant_value(const InputPort& port)
+{
+    const int components = seen_components(port);
+    const ParamType types[] = {ParamType::float_, ParamType::vec2, ParamType::vec3, ParamType::vec4};
+    return literal(types[components - 1], port.default_value);
+}
+
+/// The expression that reads an input's texture at `place`, decoded, guarded when the host supplies it.
+std::string texture_value(const InputSource& source, const std::string& fetch)
+{
+    std::string value = glsl_decode_call(source.signal, source.codec, fetch);
+    if (source.is_import)
+        value = glsl_guard_call(source.signal, value);
+    return value;
+}
+
+void add_image_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name)
+{
+    const std::string_view type = glsl_type(seen_components(port));
+    const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
+    const auto add = [&](const std::string& suffix, const std::string& parameters, const std::string& fetch) {
+        const std::string whole = source.kind == InputSource::Kind::value     ? source.name
+                                  : source.kind == InputSource::Kind::texture ? texture_value(source, fetch)
+                                                                              : constant_value(port);
+        const bool is_wide = source.kind != InputSource::Kind::constant && drops_alpha;
+        text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters, is_wide ? "(" + whole + ")" : whole,
+                                  is_wide ? ".rgb" : ""));
+        if (is_wide && suffix.empty())
+            text.add_line(fmt::format("float {}_alpha(vec2 uv) {{ return ({}).a; }}", name, whole));
+    };
+    add("", "vec2 uv", port.has_levels ? fmt::format("textureLod({}, uv, 0.0)", source.name) : fmt::format("texture({}, uv)", source.name));
+    if (port.has_levels)
+        add("_lod", "vec2 uv, float lod", fmt::format("textureLod({}, uv, lod)", source.name));
+    text.add_line(fmt::format("vec2 {}_texel() {{ return vec2({:#}, {:#}); }}", name, 1.0 / std::max(source.extent.width, 1),
+                              1.0 / std::max(source.extent.height, 1)));
+    text.add_line(fmt::format("ivec2 {}_size() {{ return ivec2({}, {}); }}", name, source.extent.width, source.extent.height));
+}
+
+void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name)
+{
+    const std::string_view type = glsl_type(seen_components(port));
+    const bool is_wired = source.kind == InputSource::Kind::cube;
+    const std::string value = is_wired ? texture_value(source, fmt::format("textureLod({}, direction, lod)", source.name)) : constant_value(port);
+    text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
+    text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
+                              is_wired ? fmt::format("floor(log2(float(textureSize({}, 0).x)))", source.name) : "0.0"));
+}
+
+void add_inputs(ProgramText& text, const Instance& instance, Renames& renames)
+{
+    const std::string prefix = prefix_of(instance.number);
+    for (size_t i = 0; i < instance.pass->inputs.size(); ++i) {
+        const InputPort& port = instance.pass->inputs[i];
+        if (port.over == Over::scene)
+            continue;
+        const auto rename = [&](const std::string& suffix) { renames.emplace_back(port.name + suffix, prefix + port.name + suffix); };
+        rename("");
+        if (port.over == Over::sphere) {
+            rename("_top_lod");
+            add_sphere_accessor(text, port, instance.inputs[i], prefix + port.name);
+        } else {
+            rename("_texel");
+            rename("_size");
+            if (port.has_levels)
+                rename("_lod");
+            add_image_accessor(text, port, instance.inputs[i], prefix + port.name);
+        }
+    }
+}
+
+void add_settings(ProgramText& text, const Instance& instance, Renames& renames)
+{
+    const PassDeclaration& pass = *instance.pass;
+    for (size_t i = 0; i < pass.params.size(); ++i) {
+        const Param& param = pass.params[i];
+        const std::string name = uniform_name(instance.number, param.name);
+        renames.emplace_back(param.name, name);
+        if (instance.is_static[i])
+            text.add_line(fmt::format("const {} {} = {};", glsl_type_of(param.type), name, literal(param.type, instance.params[i])));
+        else
+            text.add_line(fmt::format("uniform {} {};", glsl_type_of(param.type), name));
+        for (size_t item = 0; item < param.items.size(); ++item)
+            renames.emplace_back(param.name + "_" + param.items[item], std::to_string(item));
+    }
+    for (size_t i = 0; i < pass.selections.size(); ++i) {
+        const Selection& selection = pass.selections[i];
+        renames.emplace_back(selection.name, std::to_string(instance.selections[i]));
+        for (size_t item = 0; item < selection.items.size(); ++item)
+            renames.emplace_back(selection.name + "_" + selection.items[item], std::to_string(item));
+    }
+}
+
+/// The first generic input of a pass, from which alpha is carried; "" when there is none with alpha.
+std::string alpha_of(const Instance& instance)
+{
+    for (size_t i = 0; i < instance.pass->inputs.size(); ++i)
+        if (instance.pass->inputs[i].signal == Signal::color && info(instance.inputs[i].signal).has_alpha)
+            return fmt::format("{}{}_alpha(uv)", prefix_of(instance.number), instance.pass->inputs[i].name);
+    return "1.0";
+}
+
+std::string guarded_output(const Instance& instance, size_t output, const std::string& value)
+{
+    const bool carries_alpha = info(instance.signals[output]).has_alpha && instance.pass->outputs[output].signal == Signal::color;
+    return glsl_guard_call(instance.signals[output], carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value);
+}
+
+/// Evaluates one pass into its file-scope values.
+void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
+{
+    const PassDeclaration& pass = *instance.pass;
+    const std::string prefix = prefix_of(instance.number);
+    if (kind == PassKind::image && pass.outputs.size() == 1) {
+        text.add_line(fmt::format("    {} = {};", value_name(instance, 0), guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name))));
+        return;
+    }
+    std::string call = kind == PassKind::image ? fmt::format("{}{}(uv", prefix, pass.name)
+                                               : fmt::format("{}{}_surface(passgraph_placed, passgraph_facing, passgraph_uv", prefix, pass.name);
+    for (const OutputPort& output : pass.outputs) {
+        if (kind == PassKind::geometry && output.signal == Signal::depth)
+            continue;
+        text.add_line(fmt::format("    {} {}raw_{};", glsl_type(info(output.signal).components), prefix, output.name));
+        call += fmt::format(", {}raw_{}", prefix, output.name);
+    }
+    text.add_line("    " + call + ");");
+    for (size_t i = 0; i < pass.outputs.size(); ++i) {
+        if (kind == PassKind::geometry && pass.outputs[i].signal == Signal::depth)
+            continue;
+        text.add_line(fmt::format("    {} = {};", value_name(instance, i), guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
+    }
+}
+
+void add_instance(ProgramText& text, const Instance& instance)
+{
+    Renames renames;
+    for (size_t i = 0; i < instance.pass->outputs.size(); ++i)
+        text.add_line(fmt::format("{} {};", glsl_type(info(instance.signals[i]).components), value_name(instance, i)));
+    add_inputs(text, instance, renames);
+    add_settings(text, instance, renames);
+    text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
+}
+
+std::string fragment_text(const StepSource& step, std::vector<std::string>& sources)
+{
+    ProgramText text(sources);
+    text.add_line("#version 330 core");
+    if (step.kind == PassKind::geometry)
+        text.add_line("in vec3 passgraph_placed;\nin vec3 passgraph_facing;");
+    text.add_line("in vec2 passgraph_uv;");
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        text.add_line(fmt::format("layout(location = {}) out vec4 passgraph_target_{};", i, i));
+    for (const SamplerDeclaration& sampler : step.samplers)
+        text.add_line(fmt::format("uniform {} {};", sampler.is_cube ? "samplerCube" : "sampler2D", sampler.name));
+    text.add(glsl_codec_functions());
+    text.add(accessors(step.reads, step.kind));
+    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
+    for (const Instance& instance : step.instances)
+        add_instance(text, instance);
+    text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
+    for (const Instance& instance : step.instances)
+        add_evaluation(text, instance, step.kind);
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        text.add_line(fmt::format("    passgraph_target_{} = {};", i, glsl_encode_call(step.targets[i].signal, step.targets[i].codec, step.targets[i].value)));
+    text.add_line("}");
+    return text.take();
+}
+
+std::string geometry_vertex_text(const StepSource& step, std::vector<std::string>& sources)
+{
+    const Instance& instance = step.instances.front();
+    ProgramText text(sources);
+    text.add_line("#version 330 core");
+    text.add_line(fmt::format("layout(location = {}) in vec3 passgraph_vertex_position;", kPositionLocation));
+    text.add_line(fmt::format("layout(location = {}) in vec3 passgraph_vertex_normal;", kNormalLocation));
+    text.add_line(fmt::format("layout(location = {}) in vec2 passgraph_vertex_uv;", kUvLocation));
+    text.add_line("out vec3 passgraph_placed;\nout vec3 passgraph_facing;\nout vec2 passgraph_uv;");
+    text.add(vertex_accessors(step.reads));
+    Renames renames;
+    add_settings(text, instance, renames);
+    text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
+    text.add_line("void main()\n{");
+    text.add_line(fmt::format("    p{}_{}_vertex(passgraph_vertex_position, passgraph_vertex_normal, passgraph_vertex_uv, passgraph_placed, "
+                              "passgraph_facing, passgraph_uv);",
+                              instance.number, instance.pass->name));
+    text.add_line("    gl_Position = passgraph_clip_from_view * vec4(passgraph_placed, 1.0);\n}");
+    return text.take();
+}
+
+constexpr const char* kFullScreenVertex = R"(#version 330 core
+out vec2 passgraph_uv;
+void main()
+{
+    // One triangle that covers the target; uv is exact at texel centers of extents up to 2^23.
+    passgraph_uv = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
+    gl_Position = vec4(passgraph_uv * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+} // namespace
+
+std::string value_name(const Instance& instance, size_t output)
+{
+    return fmt::format("v{}_{}", instance.number, instance.pass->outputs[output].name);
+}
+
+std::string uniform_name(int instance_number, std::string_view param)
+{
+    return fmt::format("p{}_{}", instance_number, param);
+}
+
+std::string_view glsl_type_of(ParamType type)
+{
+    switch (type) {
+    case ParamType::float_: return "float";
+    case ParamType::int_: case ParamType::enum_: return "int";
+    case ParamType::bool_: return "bool";
+    case ParamType::vec2: return "vec2";
+    case ParamType::color: case ParamType::vec3: return "vec3";
+    case ParamType::vec4: return "vec4";
+    }
+    return "float";
+}
+
+std::string literal(ParamType type, const Value& value)
+{
+    switch (type) {
+    case ParamType::bool_: return value.v[0] != 0.0 ? "true" : "false";
+    case ParamType::int_: case ParamType::enum_: return std::to_string(static_cast<long long>(value.v[0]));
+    case ParamType::float_: return fmt::format("{:#}", static_cast<float>(value.v[0]));
+    default: break;
+    }
+    std::string text = std::string(glsl_type_of(type)) + "(";
+    for (int i = 0; i < component_count(type); ++i)
+        text += fmt::format("{}{:#}", i > 0 ? ", " : "", static_cast<float>(value.v[static_cast<size_t>(i)]));
+    return text + ")";
+}
+
+StepText assemble(const StepSource& step)
+{
+    StepText text;
+    text.vertex = step.kind == PassKind::geometry ? geometry_vertex_text(step, text.sources) : kFullScreenVertex;
+    text.fragment = fragment_text(step, text.sources);
+    return text;
+}
+
+std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections, std::vector<std::string>& sources)
+{
+    // Nothing is renamed here: parameters, accessors and includes keep their names, for glslang's messages and analysis.
+    ProgramText text(sources);
+    text.add_line("#version 330 core");
+    text.add(accessors(pass.reads, pass.kind));
+    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
+    for (const InputPort& port : pass.inputs) {
+        if (port.over == Over::scene)
+            continue;
+        const std::string_view type = glsl_type(seen_components(port));
+        if (port.over == Over::sphere) {
+            text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
+            text.add_line(fmt::format("float {}_top_lod() {{ return 0.0; }}", port.name));
+            continue;
+        }
+        text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", type, port.name, constant_value(port)));
+        if (port.has_levels)
+            text.add_line(fmt::format("{} {}_lod(vec2 uv, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
+        text.add_line(fmt::format("vec2 {}_texel() {{ return vec2(1.0); }}\nivec2 {}_size() {{ return ivec2(1); }}", port.name, port.name));
+    }
+    Renames renames;
+    for (const Param& param : pass.params) {
+        text.add_line(param.is_static ? fmt::format("const {} {} = {};", glsl_type_of(param.type), param.name, literal(param.type, param.default_value))
+                                      : fmt::format("uniform {} {};", glsl_type_of(param.type), param.name));
+        for (size_t item = 0; item < param.items.size(); ++item)
+            renames.emplace_back(param.name + "_" + param.items[item], std::to_string(item));
+    }
+    for (size_t i = 0; i < pass.selections.size(); ++i) {
+        renames.emplace_back(pass.selections[i].name, std::to_string(selections[i]));
+        for (size_t item = 0; item < pass.selections[i].items.size(); ++item)
+            renames.emplace_back(pass.selections[i].name + "_" + pass.selections[i].items[item], std::to_string(item));
+    }
+    GlslText body = pass.body;
+    body.globals.clear();
+    text.add_module(body, "", std::move(renames));
+    text.add_line("void main() {}");
+    return text.take();
+}
+
+} // namespace passgraph::glsl

@@ -1,0 +1,73 @@
+// Complete GLSL programs from passes: each pass's names renamed for its place in the step.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "passgraph/core/codec.hpp"
+#include "passgraph/core/declaration.hpp"
+#include "passgraph/core/picture.hpp"
+
+namespace passgraph::glsl {
+
+/// Where a pass's input gets its values in this step.
+struct InputSource {
+    enum class Kind { value, texture, cube, constant };
+    Kind kind = Kind::constant;
+    std::string name;           ///< value: the file-scope variable; texture, cube: the sampler
+    Signal signal = Signal::radiance; ///< as wired
+    Codec codec;                ///< texture
+    Extent extent;
+    bool is_import = false;     ///< guarded where read
+};
+
+/// One pass of a step. `number` makes its names unique: functions pN_name, values vN_output.
+struct Instance {
+    const PassDeclaration* pass = nullptr;
+    int number = 0;
+    std::vector<InputSource> inputs;   ///< as pass->inputs
+    std::vector<Signal> signals;       ///< as pass->outputs, generic resolved
+    std::vector<Value> params;         ///< as pass->params
+    std::vector<bool> is_static;       ///< as pass->params
+    std::vector<int> selections;       ///< as pass->selections
+};
+
+struct StoredValue {
+    std::string value; ///< file-scope variable
+    Signal signal = Signal::radiance;
+    Codec codec;
+};
+
+struct SamplerDeclaration {
+    std::string name;
+    bool is_cube = false;
+};
+
+struct StepSource {
+    std::vector<Instance> instances;
+    std::vector<SamplerDeclaration> samplers;
+    std::vector<StoredValue> targets; ///< by location
+    Reads reads;
+    PassKind kind = PassKind::image;
+};
+
+struct StepText {
+    std::string vertex;
+    std::string fragment;
+    std::vector<std::string> sources; ///< by #line source number
+};
+
+std::string value_name(const Instance& instance, size_t output);
+std::string uniform_name(int instance_number, std::string_view param);
+
+StepText assemble(const StepSource& step);
+
+/// The declarations a pass's body sees: accessors, parameters, selections, includes, all under their own names, with its
+/// body. `prototypes_only`: accessors have no body, so that an analysis sees which are called.
+std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections, std::vector<std::string>& sources);
+
+/// GLSL literal of a parameter's value, with its type: `vec3(0.4, 0.79, 0.11)`.
+std::string literal(ParamType type, const Value& value);
+std::string_view glsl_type_of(ParamType type);
+
+} // namespace passgraph::glsl

@@ -1,0 +1,176 @@
+// Building a graph: nodes, wires, outputs. Mistakes are kept, to come back all at once.
+#include "passgraph/core/graph.hpp"
+
+#include <fmt/format.h>
+
+#include "core/graph_settings.hpp"
+#include "passgraph/core/graph_file.hpp"
+
+namespace passgraph {
+namespace {
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items)
+{
+    std::vector<std::string> names;
+    for (const auto& item : items)
+        names.push_back(item.name);
+    return names;
+}
+
+} // namespace
+
+AnyImage AddedPass::operator[](std::string_view output) const
+{
+    if (output.empty() && outputs_.size() == 1)
+        return AnyImage(outputs_.front().second);
+    std::vector<std::string> names;
+    for (const auto& [name, image] : outputs_) {
+        if (name == output)
+            return AnyImage(image);
+        names.push_back(name);
+    }
+    // A pass that could not be added was reported already.
+    if (!outputs_.empty()) {
+        graph_->report({"unknown_image", fmt::format("`{}` has no output `{}`", name_, output),
+                        suggest(output, names, "outputs")});
+    }
+    return AnyImage(ImageRef{});
+}
+
+SceneInput Graph::scene(std::string name, Location where)
+{
+    const int index = static_cast<int>(nodes_.size());
+    GraphNode node;
+    node.kind = GraphNode::Kind::scene;
+    node.name = free_name(std::move(name), where, true);
+    node.where = std::move(where);
+    nodes_.push_back(std::move(node));
+    return {AnyImage(ImageRef{index, 0}), Cube<Radiance>(ImageRef{index, 1})};
+}
+
+AnyImage Graph::picture(std::string name, Signal signal, Location where)
+{
+    GraphNode node;
+    node.kind = GraphNode::Kind::picture;
+    node.name = free_name(std::move(name), where, true);
+    node.signal = signal;
+    node.where = std::move(where);
+    nodes_.push_back(std::move(node));
+    return AnyImage(ImageRef{static_cast<int>(nodes_.size()) - 1, 0});
+}
+
+AnyImage Graph::cube(std::string name, Signal signal, Location where)
+{
+    const AnyImage image = picture(std::move(name), signal, std::move(where));
+    nodes_.back().kind = GraphNode::Kind::cube;
+    return image;
+}
+
+std::string Graph::free_name(std::string wanted, const Location& where, bool is_chosen)
+{
+    if (find_node(wanted) < 0)
+        return wanted;
+    if (is_chosen) {
+        report({"duplicate_name", fmt::format("the name `{}` is used twice", wanted), "rename one of the two", where});
+        return wanted;
+    }
+    int number = 2;
+    while (find_node(fmt::format("{}_{}", wanted, number)) >= 0)
+        ++number;
+    return fmt::format("{}_{}", wanted, number);
+}
+
+AddedPass Graph::add(std::string_view pass, PassArguments arguments)
+{
+    const bool is_chosen = !arguments.name.empty();
+    arguments.name = free_name(is_chosen ? arguments.name : std::string(pass), arguments.where, is_chosen);
+    const PassPtr declaration = library_->find(pass);
+    if (!declaration) {
+        report({"unknown_pass", fmt::format("{}: there is no pass `{}`", arguments.name, pass),
+                suggest(pass, library_->names(), "passes"), arguments.where});
+        return AddedPass(*this, {}, arguments.name);
+    }
+    return declaration->composite ? add_composite(declaration, std::move(arguments))
+                                  : add_plain(declaration, std::move(arguments));
+}
+
+AddedPass Graph::add_plain(const PassPtr& pass, PassArguments arguments)
+{
+    GraphNode node;
+    node.name = arguments.name;
+    node.pass = pass;
+    node.where = arguments.where;
+    node.scale = arguments.scale;
+    if (arguments.size_of)
+        node.size_of = arguments.size_of->ref();
+    node.inputs.resize(pass->inputs.size());
+    node.codecs.resize(pass->outputs.size());
+    for (const Param& param : pass->params) {
+        node.params.push_back(param.default_value);
+        node.is_static.push_back(param.is_static);
+    }
+    for (const Selection& selection : pass->selections)
+        node.selections.push_back(selection.default_item);
+
+    for (const PassArguments::Input& input : arguments.inputs) {
+        const int port = pass->find_input(input.name);
+        if (port < 0) {
+            report({"unknown_input", fmt::format("{} ({}) has no input `{}`", node.name, pass->name, input.name),
+                    suggest(input.name, names_of(pass->inputs), "inputs"), input.where});
+        } else {
+            node.inputs[static_cast<size_t>(port)] = Wire{input.image.ref(), input.where};
+        }
+    }
+    for (const PassArguments::Setting& setting : arguments.settings)
+        apply_setting(node, setting, errors_);
+    for (const auto& [name, where] : arguments.statics) {
+        const int param = pass->find_param(name);
+        if (param < 0) {
+            report({"unknown_param", fmt::format("{} ({}) has no parameter `{}`", node.name, pass->name, name),
+                    suggest(name, names_of(pass->params), "parameters"), where});
+        } else {
+            node.is_static[static_cast<size_t>(param)] = true;
+        }
+    }
+    for (const PassArguments::Setting& codec : arguments.codecs)
+        apply_codec(node, codec, errors_);
+
+    const int index = static_cast<int>(nodes_.size());
+    std::vector<std::pair<std::string, ImageRef>> outputs;
+    for (size_t i = 0; i < pass->outputs.size(); ++i)
+        outputs.emplace_back(pass->outputs[i].name, ImageRef{index, static_cast<int>(i)});
+    nodes_.push_back(std::move(node));
+    return AddedPass(*this, std::move(outputs), arguments.name);
+}
+
+void Graph::output(std::string name, AnyImage image, Location where)
+{
+    for (const GraphOutput& other : outputs_) {
+        if (other.name == name)
+            report({"duplicate_name", fmt::format("there are two outputs `{}`", name), "rename one of the two", where});
+    }
+    outputs_.push_back({std::move(name), image.ref(), std::move(where)});
+}
+
+int Graph::find_node(std::string_view name) const
+{
+    for (size_t i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].name == name)
+            return static_cast<int>(i);
+    return -1;
+}
+
+std::string Graph::image_name(ImageRef image) const
+{
+    if (image.node < 0)
+        return "nothing";
+    const GraphNode& node = nodes_[static_cast<size_t>(image.node)];
+    if (node.kind == GraphNode::Kind::scene && image.output == 1)
+        return node.name + ".sky";
+    if (node.kind != GraphNode::Kind::pass || node.pass->outputs.size() == 1)
+        return node.name;
+    return node.name + "." + node.pass->outputs[static_cast<size_t>(image.output)].name;
+}
+
+} // namespace passgraph

@@ -1,0 +1,119 @@
+// The plan as people read it: steps, memory, boundaries with their reasons; and as a Graphviz digraph.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "passgraph/core/plan.hpp"
+
+namespace passgraph {
+namespace {
+
+double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
+
+std::string slot_text(const Plan& plan, int slot)
+{
+    return fmt::format("slot {} {}", slot, name(plan.slots[static_cast<size_t>(slot)].format));
+}
+
+std::string read_text(const Plan::Read& read)
+{
+    const std::string where = read.source == Plan::Read::Source::slot ? fmt::format("slot {}", read.index) : "import";
+    return fmt::format("{} ({}, {})", read.image, where, read.filter == Filter::linear ? "linear" : "nearest");
+}
+
+void add_step(std::string& text, const Plan& plan, size_t index)
+{
+    const Plan::Step& step = plan.steps[index];
+    text += fmt::format("  {}. {}  {}x{}{}\n", index + 1, step.name, step.extent.width, step.extent.height,
+                        step.kind == Plan::Step::Kind::geometry ? "  geometry" : "");
+    for (const Plan::Read& read : step.reads)
+        text += fmt::format("       reads   {}\n", read_text(read));
+    for (const Plan::Target& target : step.targets)
+        text += fmt::format("       writes  {} ({})\n", target.image, slot_text(plan, target.slot));
+    if (step.depth_slot >= 0)
+        text += fmt::format("       depth   {}\n", slot_text(plan, step.depth_slot));
+    for (const Plan::Uniform& uniform : step.uniforms)
+        text += fmt::format("       live    {}: a change redraws this step and what reads it\n", uniform.place);
+}
+
+std::string quoted(std::string_view text)
+{
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\';
+        out += c;
+    }
+    return out + "\"";
+}
+
+} // namespace
+
+std::string to_text(const Plan& plan)
+{
+    std::string text = fmt::format("plan for {}x{}: {} steps, {} slots, {:.1f} MB ({:.1f} MB without sharing)\n", plan.extent.width,
+                                   plan.extent.height, plan.steps.size(), plan.slots.size(), megabytes(plan.bytes), megabytes(plan.bytes_unshared));
+    text += "steps\n";
+    for (size_t i = 0; i < plan.steps.size(); ++i)
+        add_step(text, plan, i);
+    text += "slots\n";
+    for (size_t i = 0; i < plan.slots.size(); ++i) {
+        const Plan::Slot& slot = plan.slots[i];
+        text += fmt::format("  {}. {} {}x{}  {}\n", i, name(slot.format), slot.extent.width, slot.extent.height, fmt::join(slot.images, ", then "));
+    }
+    if (!plan.inlined.empty())
+        text += fmt::format("kept in registers\n  {}\n", fmt::join(plan.inlined, ", "));
+    if (!plan.boundaries.empty())
+        text += "kept in memory, because\n";
+    for (const Plan::Boundary& boundary : plan.boundaries)
+        text += fmt::format("  {} -> {}: {}\n", boundary.image, boundary.reader, boundary.reason);
+    if (!plan.culled.empty())
+        text += "not run\n";
+    for (const Plan::Culled& culled : plan.culled)
+        text += fmt::format("  {}: {}\n", culled.pass, culled.reason);
+    text += "outputs\n";
+    for (const Plan::Output& output : plan.outputs)
+        text += fmt::format("  {}: {} as {} {}, {}x{}\n", output.name, output.image, info(output.signal).name, output.codec.name,
+                            output.extent.width, output.extent.height);
+    return text;
+}
+
+std::string to_dot(const Plan& plan)
+{
+    std::string text = "digraph plan {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
+    for (size_t i = 0; i < plan.imports.size(); ++i)
+        text += fmt::format("  import{} [label={}, shape=ellipse];\n", i, quoted(plan.imports[i].name));
+    for (size_t i = 0; i < plan.steps.size(); ++i)
+        text += fmt::format("  step{} [label={}];\n", i, quoted(fmt::format("{}. {}", i + 1, plan.steps[i].name)));
+    for (size_t reader = 0; reader < plan.steps.size(); ++reader) {
+        for (const Plan::Read& read : plan.steps[reader].reads) {
+            if (read.source == Plan::Read::Source::import) {
+                text += fmt::format("  import{} -> step{} [label={}];\n", read.index, reader, quoted(read.image));
+                continue;
+            }
+            for (size_t writer = reader; writer-- > 0;) {
+                const auto& targets = plan.steps[writer].targets;
+                const bool writes = plan.steps[writer].depth_slot == read.index ||
+                                    std::any_of(targets.begin(), targets.end(), [&](const auto& target) { return target.slot == read.index; });
+                if (!writes)
+                    continue;
+                text += fmt::format("  step{} -> step{} [label={}];\n", writer, reader, quoted(read.image));
+                break;
+            }
+        }
+    }
+    for (size_t i = 0; i < plan.outputs.size(); ++i) {
+        text += fmt::format("  output{} [label={}, shape=ellipse];\n", i, quoted(plan.outputs[i].name));
+        for (size_t writer = plan.steps.size(); writer-- > 0;) {
+            const auto& targets = plan.steps[writer].targets;
+            if (std::none_of(targets.begin(), targets.end(), [&](const auto& target) { return target.image == plan.outputs[i].image; }))
+                continue;
+            text += fmt::format("  step{} -> output{};\n", writer, i);
+            break;
+        }
+    }
+    return text + "}\n";
+}
+
+} // namespace passgraph
