@@ -1,0 +1,228 @@
+// The abstract interpreter's expressions: arithmetic on places, and the reads of inputs.
+#include <algorithm>
+
+#include "shader/interpreter.hpp"
+#include "shader/tree.hpp"
+
+namespace passgraph::shader {
+
+using namespace glslang;
+
+AbstractValue Interpreter::evaluate_symbol(const TIntermSymbol& symbol)
+{
+    const auto known = now_.values.find(symbol.getId());
+    if (known != now_.values.end())
+        return known->second;
+    if (symbol.getConstArray().size() > 0)
+        return constants_of(symbol.getConstArray(), symbol.getType());
+    if (symbol.getQualifier().storage == EvqUniform)
+        if (const auto param = known_symbols_.find(symbol.getName().c_str()); param != known_symbols_.end())
+            return {param->second};
+    return unknown_of(symbol.getType());
+}
+
+AbstractValue Interpreter::evaluate_unary(TIntermUnary& node)
+{
+    const AbstractValue operand = evaluate(node.getOperand());
+    switch (node.getOp()) {
+    case EOpNegative: {
+        AbstractValue result;
+        for (const Component& component : operand)
+            result.push_back(negate(component));
+        return result;
+    }
+    case EOpConvIntToFloat: case EOpConvUintToFloat: case EOpConvIntToUint: return operand;
+    case EOpPreIncrement: case EOpPostIncrement: case EOpPreDecrement: case EOpPostDecrement: {
+        const bool rises = node.getOp() == EOpPreIncrement || node.getOp() == EOpPostIncrement;
+        const AbstractValue stepped = zip(operand, {Component::number(rises ? 1.0 : -1.0, rises ? 1.0 : -1.0)}, add);
+        assign(node.getOperand(), stepped);
+        return node.getOp() == EOpPreIncrement || node.getOp() == EOpPreDecrement ? stepped : operand;
+    }
+    default: return unknown_of(node.getType());
+    }
+}
+
+AbstractValue Interpreter::evaluate_binary(TIntermBinary& node)
+{
+    const AbstractValue left = evaluate(node.getLeft());
+    switch (node.getOp()) {
+    case EOpVectorSwizzle: {
+        AbstractValue result;
+        for (TIntermNode* item : node.getRight()->getAsAggregate()->getSequence()) {
+            const size_t index = static_cast<size_t>(item->getAsConstantUnion()->getConstArray()[0].getIConst());
+            result.push_back(index < left.size() ? left[index] : Component::unknown());
+        }
+        return result;
+    }
+    case EOpIndexDirect: case EOpIndexIndirect: {
+        const AbstractValue index = evaluate(node.getRight());
+        const TType& type = node.getLeft()->getType();
+        if (type.isArray() || type.isMatrix())
+            return AbstractValue(width_of(node.getType()), left.front()); // one interval stands for every element
+        if (node.getOp() == EOpIndexDirect && index.front().kind == Component::Kind::number && index.front().lowest < static_cast<double>(left.size()))
+            return {left[static_cast<size_t>(index.front().lowest)]};
+        return {Component::unknown()};
+    }
+    case EOpAdd: return zip(left, evaluate(node.getRight()), add);
+    case EOpSub: return zip(left, evaluate(node.getRight()), [](const Component& a, const Component& b) { return add(a, negate(b)); });
+    case EOpMul: case EOpVectorTimesScalar: return zip(left, evaluate(node.getRight()), multiply);
+    case EOpDiv: return zip(left, evaluate(node.getRight()), divide);
+    default:
+        if (node.getOp() != EOpIndexDirectStruct)
+            evaluate(node.getRight());
+        return unknown_of(node.getType());
+    }
+}
+
+AbstractValue Interpreter::evaluate_assignment(TIntermBinary& node)
+{
+    const AbstractValue right = evaluate(node.getRight());
+    AbstractValue value;
+    switch (node.getOp()) {
+    case EOpAssign: value = right; break;
+    case EOpAddAssign: value = zip(evaluate(node.getLeft()), right, add); break;
+    case EOpSubAssign: value = zip(evaluate(node.getLeft()), right, [](const Component& a, const Component& b) { return add(a, negate(b)); }); break;
+    case EOpMulAssign: case EOpVectorTimesScalarAssign: value = zip(evaluate(node.getLeft()), right, multiply); break;
+    default:
+        evaluate(node.getLeft());
+        value = unknown_of(node.getLeft()->getType());
+    }
+    assign(node.getLeft(), value);
+    return value;
+}
+
+void Interpreter::assign(TIntermNode* place, const AbstractValue& value)
+{
+    TIntermSymbol* symbol = base_symbol(place);
+    if (!symbol)
+        return;
+    const std::vector<size_t> components = components_of(place);
+    AbstractValue& held = now_.values.try_emplace(symbol->getId(), unknown_of(symbol->getType())).first->second;
+    if (components.empty()) {
+        held = unknown_of(symbol->getType()); // an element of an array, a member of a struct: nothing is known of the whole
+    } else if (place->getAsSymbolNode()) {
+        held = value;
+    } else {
+        for (size_t i = 0; i < components.size() && components[i] < held.size(); ++i)
+            held[components[i]] = value.size() == 1 ? value.front() : i < value.size() ? value[i] : Component::unknown();
+    }
+    if (const auto written = now_.written.find(symbol->getId()); written != now_.written.end())
+        for (const size_t component : components)
+            written->second |= 1u << component;
+}
+
+AbstractValue Interpreter::evaluate_selection(TIntermSelection& node)
+{
+    evaluate(node.getCondition());
+    if (!node.getTrueBlock() || !node.getFalseBlock() || node.getType().getBasicType() == EbtVoid) {
+        run_selection(node);
+        return {Component::unknown()};
+    }
+    const Environment before = now_;
+    const AbstractValue if_true = evaluate(node.getTrueBlock());
+    Environment after_true = std::move(now_);
+    now_ = before;
+    const AbstractValue if_false = evaluate(node.getFalseBlock());
+    now_ = join_environments({after_true, now_});
+    return zip(if_true, if_false, join);
+}
+
+AbstractValue Interpreter::evaluate_construction(TIntermAggregate& node)
+{
+    AbstractValue parts;
+    for (TIntermNode* argument : node.getSequence()) {
+        const AbstractValue value = evaluate(argument);
+        parts.insert(parts.end(), value.begin(), value.end());
+    }
+    if (node.getType().isArray()) {
+        Component joined = parts.front();
+        for (const Component& part : parts)
+            joined = join(joined, part);
+        return {joined};
+    }
+    const size_t width = width_of(node.getType());
+    if (node.getType().isMatrix() || node.getType().isStruct() || (parts.size() != 1 && parts.size() < width))
+        return unknown_of(node.getType());
+    if (parts.size() == 1)
+        return AbstractValue(width, parts.front());
+    parts.resize(width);
+    return parts;
+}
+
+AbstractValue Interpreter::evaluate_aggregate(TIntermAggregate& node)
+{
+    const TOperator op = node.getOp();
+    if (op == EOpFunctionCall)
+        return call(node);
+    if (op == EOpSequence || op == EOpScope) {
+        run_statement(&node);
+        return {Component::unknown()};
+    }
+    if (op == EOpComma) {
+        AbstractValue last{Component::unknown()};
+        for (TIntermNode* part : node.getSequence())
+            last = evaluate(part);
+        return last;
+    }
+    if (op > EOpConstructGuardStart && op < EOpConstructGuardEnd)
+        return evaluate_construction(node);
+    for (TIntermNode* argument : node.getSequence())
+        evaluate(argument);
+    if ((op == EOpModf || op == EOpFrexp) && node.getSequence().size() > 1)
+        assign(node.getSequence()[1], unknown_of(node.getSequence()[1]->getAsTyped()->getType()));
+    return unknown_of(node.getType());
+}
+
+AbstractValue Interpreter::call(TIntermAggregate& node)
+{
+    std::vector<AbstractValue> arguments;
+    std::vector<TIntermNode*> places;
+    const auto function = functions_.find(node.getName().c_str());
+    const auto parameters = function == functions_.end() ? std::vector<TIntermSymbol*>{} : parameters_of(*function->second);
+    for (size_t i = 0; i < node.getSequence().size(); ++i) {
+        TIntermNode* argument = node.getSequence()[i];
+        places.push_back(argument);
+        const bool is_only_written = i < parameters.size() && parameters[i]->getQualifier().storage == EvqOut;
+        arguments.push_back(is_only_written ? unknown_of(argument->getAsTyped()->getType()) : evaluate(argument));
+    }
+    if (const auto accessor = accessors_.find(node.getName().c_str()); accessor != accessors_.end())
+        return record(accessor->second, arguments);
+    if (function == functions_.end())
+        return unknown_of(node.getType());
+    return enter(*function->second, arguments, places);
+}
+
+AbstractValue Interpreter::record(const Accessor& accessor, const std::vector<AbstractValue>& arguments)
+{
+    Reading& reading = readings_[static_cast<size_t>(accessor.input)];
+    switch (accessor.kind) {
+    case AccessorKind::texel: {
+        reading.is_size_asked = true;
+        const Component texel = Component::texels(1.0, accessor.input);
+        return {texel, texel};
+    }
+    case AccessorKind::size: case AccessorKind::sphere_size:
+        reading.is_size_asked = true;
+        return {Component::unknown(), Component::unknown()};
+    case AccessorKind::sphere: case AccessorKind::level_read:
+        reading.is_unbounded = true;
+        return {Component::unknown(), Component::unknown(), Component::unknown()};
+    case AccessorKind::read: break;
+    }
+    const AbstractValue& place = arguments.front();
+    const auto is_near = [&](size_t axis) {
+        const Component& c = place[axis];
+        return c.kind == Component::Kind::place && c.axis == static_cast<int>(axis) && (c.input < 0 || c.input == accessor.input);
+    };
+    if (place.size() == 2 && is_near(0) && is_near(1)) {
+        const double radius = std::max(place[0].highest, place[1].highest);
+        (radius > 0.0 ? reading.near_pixel : reading.at_pixel) += 1;
+        reading.radius = std::max(reading.radius, radius);
+    } else {
+        reading.computed += 1;
+        reading.is_unbounded = reading.is_unbounded || loop_depth_ > 0;
+    }
+    return {Component::unknown(), Component::unknown(), Component::unknown()};
+}
+
+} // namespace passgraph::shader
