@@ -1,0 +1,141 @@
+// A scene file and everything it names, loaded into one scene.
+#include "passgraph/scene/scene_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <passgraph/image/image_file.hpp>
+#include <passgraph/scene/bounds.hpp>
+
+#include "gltf.hpp"
+#include "scene_fields.hpp"
+
+namespace passgraph {
+namespace {
+
+using scene_file::ElementEntry;
+using scene_file::SkyEntry;
+
+void append(Errors& errors, const Errors& more)
+{
+    errors.insert(errors.end(), more.begin(), more.end());
+}
+
+/// Reads each model once, however many elements show it.
+class Models {
+public:
+    Models(Scene& scene, Errors& errors) : scene_(scene), errors_(errors) {}
+
+    void place(const ElementEntry& entry)
+    {
+        if (entry.model.path.empty())
+            return; // its mistake is reported already
+        const std::string key = std::filesystem::path(entry.model.path).lexically_normal().string();
+        const auto [known, is_new] = models_.try_emplace(key);
+        if (is_new)
+            known->second = load(entry);
+        const Loaded& loaded = known->second;
+        Errors errors = gltf::place_elements(scene_, loaded.model, loaded.first_mesh, entry.world_from_model,
+                                             entry.name, entry.where.file);
+        for (Error& error : errors)
+            error.where = entry.where;
+        append(errors_, errors);
+    }
+
+private:
+    struct Loaded {
+        gltf::Model model; ///< only what is needed to place it once more
+        int first_mesh = 0;
+    };
+
+    Loaded load(const ElementEntry& entry)
+    {
+        std::error_code code;
+        if (!std::filesystem::exists(entry.model.path, code)) {
+            errors_.push_back({"file_missing", fmt::format("there is no model {}", entry.model.path),
+                               "models are looked for from the scene file's folder", entry.model.where});
+            return {};
+        }
+        Result<gltf::Model> model = gltf::read_model(entry.model.path);
+        if (!model) {
+            append(errors_, model.error());
+            return {};
+        }
+        const int first_mesh = gltf::add_resources(scene_, *model);
+        return {{{}, {}, {}, std::move(model->placements)}, first_mesh};
+    }
+
+    Scene& scene_;
+    Errors& errors_;
+    std::map<std::string, Loaded> models_;
+};
+
+void load_sky(Scene& scene, const SkyEntry& entry, Errors& errors)
+{
+    if (entry.faces.path.empty())
+        return;
+    std::error_code code;
+    if (!std::filesystem::is_directory(entry.faces.path, code)) {
+        errors.push_back({"file_missing", fmt::format("there is no folder {}", entry.faces.path),
+                          "\"faces\" is a folder with the pictures px nx py ny pz nz", entry.faces.where});
+        return;
+    }
+    auto faces = read_cube(entry.faces.path);
+    if (!faces) {
+        append(errors, faces.error());
+        return;
+    }
+    scene.sky.faces = std::move(*faces);
+    if (entry.intensity == 1.0f)
+        return; // as it was stored, not-a-numbers included
+    for (Picture& face : scene.sky.faces)
+        for (float& texel : face.texels)
+            texel *= entry.intensity;
+}
+
+/// The camera for a scene file without one; a scene beyond a float's reach has none.
+Camera default_camera(const Scene& scene, const Location& where, Errors& errors)
+{
+    const Camera camera = framing_camera(bounds(scene));
+    const float sum = camera.position.x + camera.position.y + camera.position.z + camera.far_plane;
+    if (!std::isfinite(sum) || !std::isnormal(camera.near_plane)) {
+        errors.push_back({"value_out_of_range", "the scene is too large or too small to be framed",
+                          "scale its elements, or give a \"camera\"", where});
+    }
+    return camera;
+}
+
+} // namespace
+
+Result<Scene> load_scene(const std::string& path)
+{
+    const Result<std::string> text = read_text_file(path);
+    if (!text)
+        return tl::unexpected(text.error());
+    const Result<Json> json = parse_json(*text, path);
+    if (!json)
+        return tl::unexpected(json.error());
+
+    Errors errors;
+    scene_file::Entries entries = scene_file::read_entries(*json, errors);
+    Scene scene;
+    scene.name = std::move(entries.name);
+    scene.lights = std::move(entries.lights);
+    Models models(scene, errors);
+    for (const ElementEntry& element : entries.elements)
+        models.place(element);
+    if (entries.sky)
+        load_sky(scene, *entries.sky, errors);
+    if (scene.materials.empty())
+        scene.materials.push_back({.name = "default"});
+    if (errors.empty())
+        scene.camera = entries.camera ? *entries.camera : default_camera(scene, json->where, errors);
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    return scene;
+}
+
+} // namespace passgraph
