@@ -14,8 +14,7 @@ namespace passgraph::glsl {
 inline constexpr const char* kCameraBlock = "passgraph_camera_block";
 inline constexpr const char* kFrameBlock = "passgraph_frame_block";
 inline constexpr const char* kLightsBuffer = "passgraph_lights";     ///< samplerBuffer, kLightTexels RGBA32F each
-inline constexpr const char* kElementsBuffer = "passgraph_elements"; ///< samplerBuffer, kElementTexels RGBA32F each
-inline constexpr const char* kElementIndex = "passgraph_element";    ///< int uniform, per draw of a geometry step
+inline constexpr const char* kElement = "passgraph_element";         ///< vec4[kElementRows] uniform, per draw of a geometry step
 inline constexpr const char* kBaseColorTexture = "passgraph_base_color_texture";
 inline constexpr const char* kMetallicRoughnessTexture = "passgraph_metallic_roughness_texture";
 inline constexpr const char* kEmissiveTexture = "passgraph_emissive_texture";
@@ -50,10 +49,15 @@ static_assert(sizeof(FrameBlock) == 32);
 /// (position, 0).
 inline constexpr int kLightTexels = 3;
 
-/// An element in the elements buffer: three rows of view_from_model; three rows of its normal matrix (the adjugate's
-/// transpose, so singular and mirrored transforms stay finite; w of the first row: 1 when the transform mirrors);
-/// base color; (metallic, roughness, specular, 1 when double-sided); (emissive, 0).
-inline constexpr int kElementTexels = 9;
+/// What a draw is told of its element, row by row. Uniforms, not a buffer: software rasterisers fetch a texel per pixel.
+///   0 1 2  rows of view_from_model: view.x = dot(row 0, vec4(place, 1))
+///   3 4 5  rows of its normal matrix in xyz: the cofactors (adjugate's transpose) of view_from_model's 3x3 times the
+///          sign of its determinant, largest element 1 in size, so singular and mirrored transforms stay finite and
+///          normals point outwards, of any length; w of row 3 is 1 when the transform mirrors, of 4 and 5 it is 0
+///   6      base color
+///   7      (metallic, roughness, specular, 1 when double-sided)
+///   8      (emissive, 0)
+inline constexpr int kElementRows = 9;
 
 /// GLSL of the accessors for what a step reads: view_ray(uv), light(i), random(pixel, n), ...
 std::string accessors(const Reads& reads, PassKind kind);

@@ -74,29 +74,27 @@ Light light(int i)
 }
 )";
 
-constexpr const char* kElements = R"(uniform int passgraph_element;
-uniform samplerBuffer passgraph_elements;
+constexpr const char* kElements = R"(uniform vec4 passgraph_element[9];
 uniform sampler2D passgraph_base_color_texture;
 uniform sampler2D passgraph_metallic_roughness_texture;
 uniform sampler2D passgraph_emissive_texture;
-vec4 passgraph_element_texel(int i) { return texelFetch(passgraph_elements, 9 * passgraph_element + i); }
 vec3 element_to_view(vec3 position)
 {
     vec4 place = vec4(position, 1.0);
-    return vec3(dot(passgraph_element_texel(0), place), dot(passgraph_element_texel(1), place), dot(passgraph_element_texel(2), place));
+    return vec3(dot(passgraph_element[0], place), dot(passgraph_element[1], place), dot(passgraph_element[2], place));
 }
 vec3 element_normal_to_view(vec3 normal)
 {
-    return vec3(dot(passgraph_element_texel(3).xyz, normal), dot(passgraph_element_texel(4).xyz, normal),
-                dot(passgraph_element_texel(5).xyz, normal));
+    return vec3(dot(passgraph_element[3].xyz, normal), dot(passgraph_element[4].xyz, normal),
+                dot(passgraph_element[5].xyz, normal));
 }
-vec4 element_base_color(vec2 uv) { return passgraph_element_texel(6) * texture(passgraph_base_color_texture, uv); }
+vec4 element_base_color(vec2 uv) { return passgraph_element[6] * texture(passgraph_base_color_texture, uv); }
 vec2 element_roughness_metallic(vec2 uv)
 {
-    return passgraph_element_texel(7).yx * texture(passgraph_metallic_roughness_texture, uv).gb;
+    return passgraph_element[7].yx * texture(passgraph_metallic_roughness_texture, uv).gb;
 }
-float element_specular() { return passgraph_element_texel(7).z; }
-vec3 element_emissive(vec2 uv) { return passgraph_element_texel(8).rgb * texture(passgraph_emissive_texture, uv).rgb; }
+float element_specular() { return passgraph_element[7].z; }
+vec3 element_emissive(vec2 uv) { return passgraph_element[8].rgb * texture(passgraph_emissive_texture, uv).rgb; }
 )";
 
 std::string common_part(const Reads& reads)

@@ -1,0 +1,107 @@
+// Runs a plan with OpenGL and owns every GL object it needs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <passgraph/core/compile.hpp>
+#include <passgraph/core/error.hpp>
+#include <passgraph/core/plan.hpp>
+#include <passgraph/scene/scene.hpp>
+
+namespace passgraph {
+
+using GlLoader = void* (*)(const char* name);
+
+/// What changes from frame to frame. Headless frames are 1/60 s apart.
+struct Frame {
+    double time = 0.0;         ///< seconds since the start
+    double delta = 1.0 / 60.0; ///< seconds since the last frame
+    int index = 0;
+    bool is_cut = false;       ///< nothing of the last frame is to be trusted; the first frame always is a cut
+    const Camera* camera = nullptr; ///< nullptr: the scene's own
+};
+
+/// A texture that belongs to the host: 2D or cube, of any color format, complete without mip levels unless it has them.
+struct HostTexture {
+    unsigned id = 0;
+    Extent extent;
+};
+
+/// Milliseconds between the ends of neighbouring steps, as the GL clock saw them in the last finished frame.
+struct StepTime {
+    std::string step;
+    double milliseconds = 0.0;
+};
+
+struct RendererOptions {
+    GlLoader loader = nullptr;    ///< of the current context
+    bool is_timed = false;        ///< a timestamp after each step
+    bool restores_state = false;  ///< leave the host's GL state as it was found
+};
+
+/// The limits of the current context. Errors: gl_too_old, gl_function_missing (lacks of the machine).
+Result<Device> query_device(GlLoader loader);
+
+/// Executes a plan in the context that was current when it was created.
+///
+/// No GL object is created after a plan's first frame, no state is set twice, and any GL error becomes an error value
+/// that names the step.
+class Renderer {
+public:
+    /// Builds programs, textures and framebuffers.
+    /// Errors   gl_too_old, gl_function_missing, shader_failed (with the pass file's own line), framebuffer_incomplete.
+    static Result<Renderer> create(Plan plan, const RendererOptions& options);
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer(); ///< needs the same context current
+
+    /// Takes another plan, keeping imports and the scene; on an error the old plan stays.
+    Result<void> replace(Plan plan);
+
+    /// Uploads meshes, materials, lights and sky. The scene must outlive the renderer or the next call.
+    Result<void> set_scene(const Scene& scene);
+    /// Uploads a picture as the import `name`; values are brought into the signal's domain first.
+    /// Errors   unknown_import, import_extent (not the extent the plan was compiled for).
+    Result<void> import_picture(std::string_view name, const Picture& picture);
+    Result<void> import_cube(std::string_view name, const std::array<Picture, 6>& faces);
+    /// Reads the host's own texture as the import `name`.
+    Result<void> import_texture(std::string_view name, const HostTexture& texture);
+
+    /// Sets a live parameter ("lit.exposure"). Errors: unknown_param (or one folded into the code), param_out_of_range.
+    Result<void> set(std::string_view place, const Value& value);
+
+    /// Draws one frame. Errors: import_missing, scene_missing, gl_error (names the step).
+    Result<void> render(const Frame& frame = {});
+
+    /// An output's values, decoded from its codec. Shape: the output's extent and its signal's components.
+    /// Errors   unknown_output, gl_error.
+    Result<Picture> read(std::string_view output);
+    /// The GL texture of an output, for the host to draw or sample. It holds codes, not values.
+    Result<HostTexture> texture(std::string_view output) const;
+
+    const Plan& plan() const;
+    /// Per step of the last frame, when `is_timed`; waits for the frame to finish.
+    std::vector<StepTime> step_times();
+    /// GL objects created, and draws issued, since `create`: for tests and reports.
+    struct Counters {
+        std::int64_t objects_created = 0;
+        std::int64_t draws = 0;
+        std::int64_t state_changes = 0;
+        std::int64_t redundant_state_changes = 0; ///< asked for and not issued
+    };
+    Counters counters() const;
+    /// GL_RENDERER and GL_VERSION, for reports.
+    std::string device_name() const;
+
+private:
+    class Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace passgraph

@@ -1,0 +1,104 @@
+// Binding and drawing of one step.
+#include "gl/drawing.hpp"
+
+#include <passgraph/core/glsl_interface.hpp>
+
+namespace passgraph::gl {
+namespace {
+
+/// The cube a sky import stands for: the host's own, else the scene's, else black.
+GLuint sky_texture(const DrawInputs& inputs, const ImportTexture& import)
+{
+    if (import.id != 0)
+        return import.id;
+    return inputs.scene != nullptr && inputs.scene->sky ? inputs.scene->sky.id() : inputs.black_cube;
+}
+
+void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& objects)
+{
+    for (size_t i = 0; i < step.reads.size(); ++i) {
+        const Plan::Read& read = step.reads[i];
+        const int unit = objects.program.read_units[i];
+        if (unit < 0)
+            continue;
+        if (read.source == Plan::Read::Source::slot) {
+            inputs.state.texture(unit, GL_TEXTURE_2D, inputs.slots[static_cast<size_t>(read.index)].id());
+            inputs.state.sampler(unit, objects.samplers[i].plain);
+            continue;
+        }
+        const ImportTexture& import = inputs.imports[read.index];
+        const bool is_sky = import.import.kind == Plan::Import::Kind::sky;
+        const bool has_levels = import.has_levels || (is_sky && import.id == 0);
+        inputs.state.texture(unit, import.target(), is_sky ? sky_texture(inputs, import) : import.id);
+        inputs.state.sampler(unit, has_levels ? objects.samplers[i].with_levels : objects.samplers[i].plain);
+    }
+}
+
+void bind_scene(const DrawInputs& inputs, const SceneUnits& units)
+{
+    if (units.lights >= 0 && inputs.scene != nullptr)
+        inputs.state.texture(units.lights, GL_TEXTURE_BUFFER, inputs.scene->lights.texture.id());
+}
+
+void bind_material(const DrawInputs& inputs, const SceneUnits& units, const ElementDraw& draw)
+{
+    const std::array<int, 3> bound = {units.base_color, units.metallic_roughness, units.emissive};
+    for (size_t i = 0; i < bound.size(); ++i) {
+        if (bound[i] < 0)
+            continue;
+        const MaterialTexture& texture = inputs.scene->textures[static_cast<size_t>(draw.textures[i])];
+        inputs.state.texture(bound[i], GL_TEXTURE_2D, texture.texture.id());
+        inputs.state.sampler(bound[i], texture.sampler);
+    }
+}
+
+/// A step's textures are shared over time, so what they hold is of no use: colors become 0, depth far away.
+void clear_targets(const DrawInputs& inputs, const Plan::Step& step)
+{
+    constexpr GLfloat kZero[] = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        inputs.gl.ClearBufferfv(GL_COLOR, static_cast<GLint>(i), kZero);
+    if (step.depth_slot >= 0)
+        inputs.gl.ClearBufferfv(GL_DEPTH, 0, kZero);
+}
+
+std::int64_t draw_elements(const DrawInputs& inputs, const Program& program)
+{
+    for (const ElementDraw& draw : inputs.scene->draws) {
+        const MeshBuffers& mesh = inputs.scene->meshes[static_cast<size_t>(draw.mesh)];
+        bind_material(inputs, program.scene, draw);
+        inputs.state.vertex_array(mesh.vertex_array.id());
+        inputs.state.cull_back_faces(!draw.is_double_sided);
+        inputs.state.mirrored_front_face(draw.is_mirrored);
+        const size_t first_row = static_cast<size_t>(draw.element) * glsl::kElementRows;
+        inputs.gl.Uniform4fv(program.element_location, glsl::kElementRows, &inputs.scene->element_rows[first_row].x);
+        inputs.gl.DrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
+    }
+    return static_cast<std::int64_t>(inputs.scene->draws.size());
+}
+
+} // namespace
+
+std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects)
+{
+    const bool is_geometry = step.kind == Plan::Step::Kind::geometry;
+    State& state = inputs.state;
+    state.draw_framebuffer(objects.framebuffer.id());
+    state.viewport(step.extent);
+    state.use_program(objects.program.object.id());
+    state.encodes_srgb(objects.has_srgb_target);
+    state.depth(is_geometry);
+    bind_reads(inputs, step, objects);
+    bind_scene(inputs, objects.program.scene);
+    send_uniforms(inputs.gl, objects.program);
+    if (is_geometry) {
+        clear_targets(inputs, step);
+        return draw_elements(inputs, objects.program);
+    }
+    state.cull_back_faces(false);
+    state.vertex_array(inputs.empty_vertex_array);
+    inputs.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    return 1;
+}
+
+} // namespace passgraph::gl

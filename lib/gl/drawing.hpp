@@ -1,0 +1,25 @@
+// Draws one step: a full-screen triangle, or the scene's elements.
+#pragma once
+
+#include "gl/frame_blocks.hpp"
+#include "gl/imports.hpp"
+#include "gl/scene_buffers.hpp"
+#include "gl/targets.hpp"
+
+namespace passgraph::gl {
+
+/// What steps draw with, beside their own objects.
+struct DrawInputs {
+    const Functions& gl;
+    State& state;
+    const std::vector<TextureObject>& slots;
+    const Imports& imports;
+    const SceneBuffers* scene; ///< nullptr: no scene was set, and no step needs one
+    GLuint empty_vertex_array;
+    GLuint black_cube;
+};
+
+/// Draws the step and returns how many draws that took.
+std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects);
+
+} // namespace passgraph::gl

@@ -1,0 +1,159 @@
+// Compiling, linking and wiring of a step's program.
+#include "gl/programs.hpp"
+
+#include <array>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <passgraph/core/glsl_interface.hpp>
+
+#include "gl/shader_log.hpp"
+#include "gl/state_names.hpp"
+
+namespace passgraph::gl {
+namespace {
+
+void compile(const Functions& gl, const ShaderObject& shader, const std::string& glsl)
+{
+    const GLchar* text = glsl.c_str();
+    gl.ShaderSource(shader.id(), 1, &text, nullptr);
+    gl.CompileShader(shader.id());
+}
+
+std::string shader_log(const Functions& gl, const ShaderObject& shader)
+{
+    GLint length = 0;
+    gl.GetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    gl.GetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    log.resize(log.find('\0') == std::string::npos ? log.size() : log.find('\0'));
+    return log;
+}
+
+std::string program_log(const Functions& gl, GLuint program)
+{
+    GLint length = 0;
+    gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    log.resize(log.find('\0') == std::string::npos ? log.size() : log.find('\0'));
+    return log;
+}
+
+/// The compiled stage; on failure it is compiled once more with folded source numbers, for the place of the error.
+Result<ShaderObject> create_shader(Driver& driver, GLenum stage, const Plan::Step& step)
+{
+    const bool is_vertex = stage == GL_VERTEX_SHADER;
+    const std::string& glsl = is_vertex ? step.vertex : step.fragment;
+    const Functions& gl = driver.gl;
+    ShaderObject shader(driver, stage);
+    compile(gl, shader, glsl);
+    GLint is_compiled = GL_FALSE;
+    gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &is_compiled);
+    if (is_compiled == GL_TRUE)
+        return shader;
+    compile(gl, shader, folded_source_numbers(glsl));
+    const std::string subject = fmt::format("step `{}`, {} stage", step.name, is_vertex ? "vertex" : "fragment");
+    return tl::unexpected(shader_errors(shader_log(gl, shader), subject, step.sources));
+}
+
+Result<ProgramObject> link(Driver& driver, const Plan::Step& step)
+{
+    Result<ShaderObject> vertex = create_shader(driver, GL_VERTEX_SHADER, step);
+    Result<ShaderObject> fragment = create_shader(driver, GL_FRAGMENT_SHADER, step);
+    Errors errors;
+    for (const Result<ShaderObject>* stage : {&vertex, &fragment})
+        if (!*stage)
+            errors.insert(errors.end(), stage->error().begin(), stage->error().end());
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    const Functions& gl = driver.gl;
+    ProgramObject program(driver);
+    gl.AttachShader(program.id(), vertex->id());
+    gl.AttachShader(program.id(), fragment->id());
+    gl.LinkProgram(program.id());
+    gl.DetachShader(program.id(), vertex->id());
+    gl.DetachShader(program.id(), fragment->id());
+    GLint is_linked = GL_FALSE;
+    gl.GetProgramiv(program.id(), GL_LINK_STATUS, &is_linked);
+    if (is_linked == GL_TRUE)
+        return program;
+    return tl::unexpected(
+        shader_errors(program_log(gl, program.id()), fmt::format("step `{}`, linking", step.name), step.sources));
+}
+
+void bind_block(const Functions& gl, GLuint program, const char* name, int binding)
+{
+    const GLuint index = gl.GetUniformBlockIndex(program, name);
+    if (index != GL_INVALID_INDEX)
+        gl.UniformBlockBinding(program, index, static_cast<GLuint>(binding));
+}
+
+/// Gives a sampler the next free unit, if the program has that sampler. A unit is never shared: two kinds of sampler on
+/// one unit make every draw an error.
+int assign_unit(const Functions& gl, Program& program, const char* sampler)
+{
+    const GLint location = gl.GetUniformLocation(program.object.id(), sampler);
+    if (location < 0)
+        return -1;
+    gl.Uniform1i(location, program.units);
+    return program.units++;
+}
+
+} // namespace
+
+Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step)
+{
+    Result<ProgramObject> object = link(driver, step);
+    if (!object)
+        return tl::unexpected(object.error());
+    const Functions& gl = driver.gl;
+    Program program;
+    program.object = std::move(*object);
+    const GLuint id = program.object.id();
+    state.use_program(id);
+    for (const Plan::Read& read : step.reads)
+        program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str()));
+    program.scene.lights = assign_unit(gl, program, glsl::kLightsBuffer);
+    program.scene.base_color = assign_unit(gl, program, glsl::kBaseColorTexture);
+    program.scene.metallic_roughness = assign_unit(gl, program, glsl::kMetallicRoughnessTexture);
+    program.scene.emissive = assign_unit(gl, program, glsl::kEmissiveTexture);
+    if (program.units > driver.limits.texture_units)
+        return fail({.code = "texture_units_exceeded",
+                     .message = fmt::format("step `{}` reads {} textures, the device has {} units", step.name,
+                                            program.units, driver.limits.texture_units),
+                     .hint = "compile with the device's limits (query_device), so that such a step is split",
+                     .fault = Fault::machine});
+    bind_block(gl, id, glsl::kCameraBlock, kCameraBinding);
+    bind_block(gl, id, glsl::kFrameBlock, kFrameBinding);
+    program.element_location = gl.GetUniformLocation(id, glsl::kElement);
+    for (const Plan::Uniform& uniform : step.uniforms)
+        program.uniforms.push_back({.location = gl.GetUniformLocation(id, uniform.name.c_str()),
+                                    .type = uniform.type,
+                                    .value = uniform.value});
+    return program;
+}
+
+void send_uniforms(const Functions& gl, Program& program)
+{
+    for (LiveUniform& uniform : program.uniforms) {
+        if (!std::exchange(uniform.is_changed, false))
+            continue;
+        std::array<GLfloat, 4> v{};
+        for (size_t i = 0; i < v.size(); ++i)
+            v[i] = static_cast<GLfloat>(uniform.value.v[i]);
+        switch (uniform.type) {
+        case ParamType::float_: gl.Uniform1fv(uniform.location, 1, v.data()); break;
+        case ParamType::int_:
+        case ParamType::bool_:
+        case ParamType::enum_: gl.Uniform1i(uniform.location, static_cast<GLint>(uniform.value.v[0])); break;
+        case ParamType::vec2: gl.Uniform2fv(uniform.location, 1, v.data()); break;
+        case ParamType::color:
+        case ParamType::vec3: gl.Uniform3fv(uniform.location, 1, v.data()); break;
+        case ParamType::vec4: gl.Uniform4fv(uniform.location, 1, v.data()); break;
+        }
+    }
+}
+
+} // namespace passgraph::gl

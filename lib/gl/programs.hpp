@@ -1,0 +1,44 @@
+// The program of one step: compiled, linked, with every location looked up and every sampler given its unit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <passgraph/core/plan.hpp>
+
+#include "gl/state.hpp"
+
+namespace passgraph::gl {
+
+/// A live parameter's place in a program. Its value goes to the driver with the next draw when `is_changed`.
+struct LiveUniform {
+    GLint location = -1;
+    ParamType type = ParamType::float_;
+    Value value;
+    bool is_changed = true;
+};
+
+/// Units of the buffer and material textures; -1 when the program has no such sampler.
+struct SceneUnits {
+    int lights = -1;
+    int base_color = -1;
+    int metallic_roughness = -1;
+    int emissive = -1;
+};
+
+struct Program {
+    ProgramObject object;
+    std::vector<int> read_units;       ///< per read of the step; -1 when the code never fetches it
+    std::vector<LiveUniform> uniforms; ///< per uniform of the step
+    SceneUnits scene;
+    GLint element_location = -1;
+    int units = 0; ///< in use, from 0
+};
+
+/// Errors   shader_failed (with the source file's own line), texture_units_exceeded.
+Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step);
+
+/// Sends changed values to the program, which is the current one.
+void send_uniforms(const Functions& gl, Program& program);
+
+} // namespace passgraph::gl

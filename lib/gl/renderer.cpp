@@ -1,0 +1,369 @@
+// The renderer: one context's objects, and the order in which a frame uses them.
+#include <passgraph/gl/renderer.hpp>
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "gl/drawing.hpp"
+#include "gl/parameters.hpp"
+#include "gl/read_back.hpp"
+#include "gl/state_guard.hpp"
+
+namespace passgraph {
+namespace {
+
+constexpr double kTimeWrap = 3600.0; // seconds: single precision still tells 1/60 s apart
+
+bool needs_scene(const Plan::Step& step)
+{
+    return step.kind == Plan::Step::Kind::geometry || step.host.lights || step.host.elements;
+}
+
+} // namespace
+
+class Renderer::Impl {
+public:
+    Impl(const RendererOptions& options, gl::Driver&& driver)
+        : options_(options), driver_(std::move(driver)), state_(driver_), samplers_(driver_)
+    {
+    }
+    ~Impl();
+
+    Result<void> build(Plan plan);
+    Result<void> set_scene(const Scene& scene);
+    Result<void> render(const Frame& frame);
+    Result<Picture> read(std::string_view output);
+    Result<HostTexture> texture(std::string_view output) const;
+    std::vector<StepTime> step_times() const { return objects_.timing.read(driver_.gl, objects_.plan); }
+    template <class Take> Result<void> import(const Take& take);
+
+    gl::PlanObjects& objects() { return objects_; }
+    const Plan& plan() const { return objects_.plan; }
+    gl::Imports& imports() { return *imports_; }
+    const std::string& device_name() const { return driver_.device_name; }
+    Counters counters() const;
+
+private:
+    struct Call;
+
+    void create_shared_objects(gl::Upload& upload);
+    Errors find_missing(const Frame& frame) const;
+    const Camera* camera_of(const Frame& frame) const;
+    void update_camera(gl::Upload& upload, const Camera& camera);
+    glsl::FrameBlock frame_block(const Frame& frame) const;
+    Result<const Plan::Output*> find_output(std::string_view name) const;
+    GLuint texture_of(const Plan::Output& output) const;
+
+    RendererOptions options_;
+    gl::Driver driver_; ///< before all objects, which are deleted through it
+    gl::State state_;
+    gl::Samplers samplers_;
+    gl::PlanObjects objects_;
+    std::optional<gl::Imports> imports_;
+    std::optional<gl::SceneBuffers> scene_buffers_;
+    const Scene* scene_ = nullptr;
+    std::optional<gl::FrameBlocks> blocks_;
+    std::optional<gl::Reader> reader_;
+    gl::VertexArrayObject empty_vertex_array_;
+    gl::TextureObject black_cube_;
+    std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
+    bool is_first_frame_ = true;
+    bool checks_each_step_ = true;
+    std::int64_t draws_ = 0;
+};
+
+/// What each call that touches OpenGL starts and ends with.
+struct Renderer::Impl::Call {
+    std::optional<gl::StateGuard> guard; ///< first, so that it ends last
+    gl::ErrorWatch watch;
+    gl::Upload upload;
+
+    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_), upload{impl.driver_, impl.state_, watch}
+    {
+        impl.state_.reset();
+    }
+
+    static std::optional<gl::StateGuard> make_guard(const Impl& impl)
+    {
+        if (!impl.options_.restores_state)
+            return std::nullopt;
+        return std::optional<gl::StateGuard>(std::in_place, impl.driver_, impl.objects_.units);
+    }
+};
+
+Renderer::Impl::~Impl()
+{
+    // A current program would outlive its deletion.
+    GLint current = 0;
+    driver_.gl.GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    for (const gl::StepObjects& step : objects_.steps)
+        if (step.program.object.id() == static_cast<GLuint>(current))
+            driver_.gl.UseProgram(0);
+}
+
+void Renderer::Impl::create_shared_objects(gl::Upload& upload)
+{
+    blocks_.emplace(driver_);
+    reader_.emplace(upload);
+    empty_vertex_array_ = gl::VertexArrayObject(driver_);
+    std::array<Picture, 6> black;
+    black.fill(Picture({1, 1}, 4));
+    black_cube_ = gl::create_cube(upload, black);
+}
+
+Result<void> Renderer::Impl::build(Plan plan)
+{
+    Call call(*this);
+    if (!reader_)
+        create_shared_objects(call.upload);
+    Result<gl::PlanObjects> made = gl::create_plan_objects(call.upload, samplers_, std::move(plan), options_.is_timed);
+    if (!made)
+        return tl::unexpected(std::move(made.error()));
+    gl::Imports imports(made->plan);
+    if (imports_)
+        imports.adopt(call.upload, std::move(*imports_));
+    imports_ = std::move(imports);
+    std::swap(objects_, *made);
+    camera_.reset(); // another extent, another aspect
+    is_first_frame_ = checks_each_step_ = true;
+    return {};
+}
+
+Result<void> Renderer::Impl::set_scene(const Scene& scene)
+{
+    Call call(*this);
+    Result<gl::SceneBuffers> made = gl::create_scene_buffers(call.upload, samplers_, scene);
+    if (!made)
+        return tl::unexpected(std::move(made.error()));
+    if (scene_buffers_)
+        std::swap(*scene_buffers_, *made);
+    else
+        scene_buffers_ = std::move(*made);
+    scene_ = &scene;
+    camera_.reset();
+    return {};
+}
+
+template <class Take> Result<void> Renderer::Impl::import(const Take& take)
+{
+    Call call(*this);
+    return take(call.upload, *imports_);
+}
+
+const Camera* Renderer::Impl::camera_of(const Frame& frame) const
+{
+    if (frame.camera != nullptr)
+        return frame.camera;
+    return scene_ != nullptr ? &scene_->camera : nullptr;
+}
+
+Errors Renderer::Impl::find_missing(const Frame& frame) const
+{
+    Errors errors = imports_->find_missing();
+    for (const Plan::Step& step : objects_.plan.steps) {
+        if (needs_scene(step) && scene_ == nullptr)
+            errors.push_back({.code = "scene_missing",
+                              .message = fmt::format("step `{}` draws or lights a scene, and there is none", step.name),
+                              .hint = "call set_scene before render"});
+        else if (step.host.camera && camera_of(frame) == nullptr)
+            errors.push_back({.code = "scene_missing",
+                              .message = fmt::format("step `{}` needs a camera, and there is none", step.name),
+                              .hint = "call set_scene, or set Frame::camera"});
+    }
+    return errors;
+}
+
+void Renderer::Impl::update_camera(gl::Upload& upload, const Camera& camera)
+{
+    if (camera_ && gl::same_camera(*camera_, camera))
+        return;
+    camera_ = camera;
+    const gl::View view = gl::view_of(camera, objects_.plan.extent, driver_.gl.ClipControl != nullptr);
+    blocks_->set_camera(driver_.gl, view.block);
+    if (scene_buffers_)
+        gl::upload_view(upload, *scene_buffers_, *scene_, view);
+}
+
+glsl::FrameBlock Renderer::Impl::frame_block(const Frame& frame) const
+{
+    return {.time = static_cast<float>(std::fmod(frame.time, kTimeWrap)),
+            .delta = static_cast<float>(frame.delta),
+            .index = frame.index,
+            .is_cut = frame.is_cut || is_first_frame_ ? 1 : 0,
+            .light_count = scene_ != nullptr ? static_cast<std::int32_t>(scene_->lights.size()) : 0};
+}
+
+Result<void> Renderer::Impl::render(const Frame& frame)
+{
+    if (Errors missing = find_missing(frame); !missing.empty())
+        return tl::unexpected(std::move(missing));
+    Call call(*this);
+    if (const Camera* camera = camera_of(frame))
+        update_camera(call.upload, *camera);
+    blocks_->set_frame(driver_.gl, frame_block(frame));
+    blocks_->bind(state_);
+    const gl::DrawInputs inputs{driver_.gl,
+                                state_,
+                                objects_.slots,
+                                *imports_,
+                                scene_buffers_ ? &*scene_buffers_ : nullptr,
+                                empty_vertex_array_.id(),
+                                black_cube_.id()};
+    objects_.timing.mark_start(driver_.gl);
+    for (size_t i = 0; i < objects_.steps.size(); ++i) {
+        const Plan::Step& step = objects_.plan.steps[i];
+        call.watch.enter(fmt::format("step `{}`", step.name));
+        draws_ += gl::draw_step(inputs, step, objects_.steps[i]);
+        objects_.timing.mark_end_of(driver_.gl, i);
+        if (checks_each_step_)
+            call.watch.check();
+        call.watch.leave();
+    }
+    Errors errors = call.watch.take();
+    // After an error that only the frame's end noticed, the next frame finds the step.
+    checks_each_step_ = !errors.empty();
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    objects_.timing.frame_done();
+    is_first_frame_ = false;
+    return {};
+}
+
+Result<const Plan::Output*> Renderer::Impl::find_output(std::string_view name) const
+{
+    std::vector<std::string> names;
+    for (const Plan::Output& output : objects_.plan.outputs) {
+        if (output.name == name)
+            return &output;
+        names.push_back(output.name);
+    }
+    return fail({.code = "unknown_output",
+                 .message = fmt::format("the plan has no output `{}`", name),
+                 .hint = suggest(name, names, "outputs")});
+}
+
+GLuint Renderer::Impl::texture_of(const Plan::Output& output) const
+{
+    if (output.source == Plan::Read::Source::slot)
+        return objects_.slots[static_cast<size_t>(output.index)].id();
+    return (*imports_)[output.index].id;
+}
+
+Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
+{
+    const Result<const Plan::Output*> output = find_output(name);
+    if (!output)
+        return tl::unexpected(output.error());
+    const GLuint id = texture_of(**output);
+    if (id == 0)
+        return fail({.code = "import_missing",
+                     .message = fmt::format("output `{}` is an import, and nothing was imported", name),
+                     .hint = "call import_picture or import_texture first"});
+    return HostTexture{id, (*output)->extent};
+}
+
+Result<Picture> Renderer::Impl::read(std::string_view name)
+{
+    const Result<HostTexture> texture = this->texture(name);
+    if (!texture)
+        return tl::unexpected(texture.error());
+    const Plan::Output& output = **find_output(name);
+    const bool is_slot = output.source == Plan::Read::Source::slot;
+    // An import holds values as they are.
+    const Codec codec = is_slot ? output.codec : Codec{"rgba32f", Format::rgba32f, Packing::plain};
+    const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(output.index)].format : Format::rgba32f;
+    Call call(*this);
+    const Result<Picture> raw = reader_->read(call.upload, texture->id, format, output.extent);
+    if (!raw)
+        return tl::unexpected(raw.error());
+    return decode_texels(*raw, output.signal, codec);
+}
+
+Renderer::Counters Renderer::Impl::counters() const
+{
+    return {.objects_created = driver_.objects_created,
+            .draws = draws_,
+            .state_changes = state_.issued(),
+            .redundant_state_changes = state_.redundant()};
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<Renderer> Renderer::create(Plan plan, const RendererOptions& options)
+{
+    Result<gl::Driver> driver = gl::create_driver(options.loader);
+    if (!driver)
+        return tl::unexpected(std::move(driver.error()));
+    auto impl = std::make_unique<Impl>(options, std::move(*driver));
+    if (Result<void> built = impl->build(std::move(plan)); !built)
+        return tl::unexpected(std::move(built.error()));
+    return Renderer(std::move(impl));
+}
+
+Result<void> Renderer::replace(Plan plan)
+{
+    return impl_->build(std::move(plan));
+}
+Result<void> Renderer::set_scene(const Scene& scene)
+{
+    return impl_->set_scene(scene);
+}
+
+Result<void> Renderer::import_picture(std::string_view name, const Picture& picture)
+{
+    return impl_->import(
+        [&](gl::Upload& upload, gl::Imports& imports) { return imports.set_picture(upload, name, picture); });
+}
+
+Result<void> Renderer::import_cube(std::string_view name, const std::array<Picture, 6>& faces)
+{
+    return impl_->import(
+        [&](gl::Upload& upload, gl::Imports& imports) { return imports.set_cube(upload, name, faces); });
+}
+
+Result<void> Renderer::import_texture(std::string_view name, const HostTexture& texture)
+{
+    return impl_->import(
+        [&](gl::Upload& upload, gl::Imports& imports) { return imports.set_host_texture(upload, name, texture); });
+}
+
+Result<void> Renderer::set(std::string_view place, const Value& value)
+{
+    return gl::set_parameter(impl_->objects(), place, value);
+}
+
+Result<void> Renderer::render(const Frame& frame)
+{
+    return impl_->render(frame);
+}
+Result<Picture> Renderer::read(std::string_view output)
+{
+    return impl_->read(output);
+}
+Result<HostTexture> Renderer::texture(std::string_view output) const
+{
+    return impl_->texture(output);
+}
+const Plan& Renderer::plan() const
+{
+    return std::as_const(*impl_).plan();
+}
+std::vector<StepTime> Renderer::step_times()
+{
+    return impl_->step_times();
+}
+Renderer::Counters Renderer::counters() const
+{
+    return impl_->counters();
+}
+std::string Renderer::device_name() const
+{
+    return impl_->device_name();
+}
+
+} // namespace passgraph

@@ -1,0 +1,156 @@
+// Uploading of a scene.
+#include "gl/scene_buffers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "gl/cube_faces.hpp"
+
+namespace passgraph::gl {
+namespace {
+
+static_assert(sizeof(Vertex) == 32, "vertices are uploaded as they lie in memory");
+
+template <class T> GLsizeiptr byte_count(const std::vector<T>& values)
+{
+    return static_cast<GLsizeiptr>(values.size() * sizeof(T));
+}
+
+void attribute(const Functions& gl, unsigned location, int components, size_t offset)
+{
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                           reinterpret_cast<const void*>(offset));
+}
+
+MeshBuffers create_mesh(Upload& upload, const Mesh& mesh)
+{
+    const Functions& gl = upload.driver.gl;
+    MeshBuffers buffers{.vertex_array = VertexArrayObject(upload.driver),
+                        .vertices = BufferObject(upload.driver),
+                        .indices = BufferObject(upload.driver),
+                        .index_count = static_cast<GLsizei>(mesh.indices.size())};
+    upload.state.vertex_array(buffers.vertex_array.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
+    gl.BufferData(GL_ARRAY_BUFFER, byte_count(mesh.vertices), mesh.vertices.data(), GL_STATIC_DRAW);
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, byte_count(mesh.indices), mesh.indices.data(), GL_STATIC_DRAW);
+    attribute(gl, glsl::kPositionLocation, 3, offsetof(Vertex, position));
+    attribute(gl, glsl::kNormalLocation, 3, offsetof(Vertex, normal));
+    attribute(gl, glsl::kUvLocation, 2, offsetof(Vertex, uv));
+    return buffers;
+}
+
+AddressMode address_mode(Wrap wrap)
+{
+    switch (wrap) {
+    case Wrap::repeat: return AddressMode::repeat;
+    case Wrap::mirror: return AddressMode::mirror;
+    case Wrap::clamp: return AddressMode::clamp;
+    }
+    return AddressMode::repeat;
+}
+
+std::vector<MaterialTexture> create_textures(Upload& upload, Samplers& samplers, const Scene& scene)
+{
+    std::vector<MaterialTexture> textures;
+    for (const Texture& texture : scene.textures) {
+        upload.watch.enter(fmt::format("texture `{}`", texture.name));
+        textures.push_back(
+            {.texture = create_material_texture(upload, texture.extent, texture.rgba.data(), texture.is_srgb),
+             .sampler =
+                 samplers.get(Filter::linear, address_mode(texture.wrap_u), address_mode(texture.wrap_v), true)});
+        upload.watch.check();
+        upload.watch.leave();
+    }
+    constexpr std::uint8_t kWhite[] = {255, 255, 255, 255};
+    textures.push_back({.texture = create_material_texture(upload, {1, 1}, kWhite, false),
+                        .sampler = samplers.get(Filter::nearest, AddressMode::clamp, AddressMode::clamp, false)});
+    return textures;
+}
+
+std::vector<ElementDraw> sorted_draws(const Scene& scene)
+{
+    const int white = static_cast<int>(scene.textures.size());
+    const auto texture = [&](int index) { return index == -1 ? white : index; };
+    std::vector<ElementDraw> draws;
+    for (size_t i = 0; i < scene.elements.size(); ++i) {
+        const Element& element = scene.elements[i];
+        const Mesh& mesh = scene.meshes[static_cast<size_t>(element.mesh)];
+        const Material& material = scene.materials[static_cast<size_t>(mesh.material)];
+        if (mesh.indices.empty())
+            continue;
+        draws.push_back({.is_double_sided = material.is_double_sided,
+                         .is_mirrored = is_mirrored(glm::dmat3(glm::dmat4(element.world_from_model))),
+                         .textures = {texture(material.base_color_texture),
+                                      texture(material.metallic_roughness_texture), texture(material.emissive_texture)},
+                         .mesh = element.mesh,
+                         .element = static_cast<int>(i)});
+    }
+    const auto key = [](const ElementDraw& draw) {
+        return std::tie(draw.is_double_sided, draw.textures, draw.mesh, draw.is_mirrored, draw.element);
+    };
+    std::sort(draws.begin(), draws.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    return draws;
+}
+
+BufferTexture create_buffer_texture(Upload& upload, size_t texels)
+{
+    const Functions& gl = upload.driver.gl;
+    BufferTexture made{.buffer = BufferObject(upload.driver), .texture = TextureObject(upload.driver)};
+    gl.BindBuffer(GL_TEXTURE_BUFFER, made.buffer.id());
+    // Never empty: a step may have the sampler though there is nothing to fetch.
+    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(texels, 1) * sizeof(glm::vec4)), nullptr,
+                  GL_DYNAMIC_DRAW);
+    upload.state.edit_texture(GL_TEXTURE_BUFFER, made.texture.id());
+    gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, made.buffer.id());
+    return made;
+}
+
+void fill(const Functions& gl, const BufferTexture& target, const std::vector<glm::vec4>& texels)
+{
+    if (texels.empty())
+        return;
+    gl.BindBuffer(GL_TEXTURE_BUFFER, target.buffer.id());
+    // New storage: the frame in flight keeps reading the old one, and softpipe forgets what it cached of it.
+    gl.BufferData(GL_TEXTURE_BUFFER, byte_count(texels), nullptr, GL_DYNAMIC_DRAW);
+    gl.BufferSubData(GL_TEXTURE_BUFFER, 0, byte_count(texels), texels.data());
+}
+
+} // namespace
+
+Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene)
+{
+    if (Errors errors = find_scene_errors(scene, upload.driver.limits); !errors.empty())
+        return tl::unexpected(std::move(errors));
+    SceneBuffers buffers;
+    if (scene.sky.is_present()) {
+        const auto faces = cube_faces(scene.sky.faces, Signal::radiance, "the sky", upload.driver.limits);
+        if (!faces)
+            return tl::unexpected(faces.error());
+        buffers.sky = create_cube(upload, *faces);
+    }
+    for (const Mesh& mesh : scene.meshes) {
+        upload.watch.enter(fmt::format("mesh `{}`", mesh.name));
+        buffers.meshes.push_back(mesh.indices.empty() ? MeshBuffers{} : create_mesh(upload, mesh));
+        upload.watch.check();
+        upload.watch.leave();
+    }
+    buffers.textures = create_textures(upload, samplers, scene);
+    buffers.draws = sorted_draws(scene);
+    buffers.lights = create_buffer_texture(upload, scene.lights.size() * glsl::kLightTexels);
+    if (Errors errors = upload.watch.take(); !errors.empty())
+        return tl::unexpected(std::move(errors));
+    return buffers;
+}
+
+void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view)
+{
+    buffers.element_rows = element_rows(scene, view);
+    fill(upload.driver.gl, buffers.lights, light_texels(scene, view));
+}
+
+} // namespace passgraph::gl

@@ -1,0 +1,62 @@
+// A scene in OpenGL: meshes, material textures, sky, and the lights.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <passgraph/scene/scene.hpp>
+
+#include "gl/textures.hpp"
+#include "gl/view_space.hpp"
+
+namespace passgraph::gl {
+
+/// A buffer read through a samplerBuffer of RGBA32F.
+struct BufferTexture {
+    BufferObject buffer;
+    TextureObject texture;
+};
+
+struct MeshBuffers {
+    VertexArrayObject vertex_array;
+    BufferObject vertices;
+    BufferObject indices;
+    GLsizei index_count = 0;
+};
+
+struct MaterialTexture {
+    TextureObject texture;
+    GLuint sampler = 0;
+};
+
+/// One element, ready to draw. Textures are indices into SceneBuffers::textures: base color, metallic-roughness,
+/// emissive.
+struct ElementDraw {
+    bool is_double_sided = false;
+    bool is_mirrored = false;
+    std::array<int, 3> textures{};
+    int mesh = 0;
+    int element = 0;
+};
+
+struct SceneBuffers {
+    std::vector<MeshBuffers> meshes;
+    std::vector<MaterialTexture> textures; ///< of the scene, then one white texel
+    std::vector<ElementDraw> draws;        ///< neighbours share as much state as possible; the same order every time
+    TextureObject sky;                     ///< empty when the scene has none
+    std::vector<glm::vec4> element_rows;   ///< glsl::kElementRows per element, as the camera sees them
+    BufferTexture lights;
+};
+
+/// Errors   scene_malformed (an index that points outside), texture_too_large, scene_too_large (more elements or lights
+///          than a buffer texture holds), cube_face_not_square, cube_face_size, gl_error, out_of_memory.
+Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene);
+
+/// Elements and lights as a camera sees them.
+void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view);
+
+/// Every index that points outside, and everything beyond the device's limits.
+Errors find_scene_errors(const Scene& scene, const Limits& limits);
+
+} // namespace passgraph::gl

@@ -1,0 +1,168 @@
+// Building of a plan's GL objects.
+#include "gl/targets.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace passgraph::gl {
+namespace {
+
+void append(Errors& errors, Errors&& more)
+{
+    errors.insert(errors.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+void check_extent(Extent extent, const std::string& subject, const Limits& limits, Errors& errors)
+{
+    if (extent.width <= 0 || extent.height <= 0)
+        errors.push_back({.code = "extent_empty",
+                          .message = fmt::format("{} has {} x {} texels", subject, extent.width, extent.height)});
+    else if (extent.width > limits.texture_size || extent.height > limits.texture_size)
+        errors.push_back({.code = "extent_too_large",
+                          .message = fmt::format("{} has {} x {} texels, the device takes {}", subject, extent.width,
+                                                 extent.height, limits.texture_size),
+                          .hint = "render a smaller picture",
+                          .fault = Fault::machine});
+}
+
+std::string subject_of(const Plan::Slot& slot)
+{
+    return fmt::format("the texture of `{}`", fmt::join(slot.images, "`, `"));
+}
+
+Errors find_extent_errors(const Plan& plan, const Limits& limits)
+{
+    Errors errors;
+    for (const Plan::Slot& slot : plan.slots)
+        check_extent(slot.extent, subject_of(slot), limits, errors);
+    for (const Plan::Import& import : plan.imports)
+        if (import.kind == Plan::Import::Kind::picture)
+            check_extent(import.extent, fmt::format("import `{}`", import.name), limits, errors);
+    return errors;
+}
+
+std::string_view status_name(GLenum status)
+{
+    switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return "an attachment cannot be drawn into";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: return "nothing is attached";
+    case GL_FRAMEBUFFER_UNSUPPORTED: return "the driver does not support this combination of formats";
+    default: return "the driver gives no reason";
+    }
+}
+
+Error incomplete(const Plan& plan, const Plan::Step& step, GLenum status)
+{
+    std::vector<std::string> images;
+    for (const Plan::Target& target : step.targets)
+        images.push_back(
+            fmt::format("{} ({})", target.image, name(plan.slots[static_cast<size_t>(target.slot)].format)));
+    if (step.depth_slot >= 0)
+        images.push_back(fmt::format("depth ({})", name(plan.slots[static_cast<size_t>(step.depth_slot)].format)));
+    return {.code = "framebuffer_incomplete",
+            .message = fmt::format("step `{}` cannot draw into {}: {}", step.name, fmt::join(images, ", "),
+                                   status_name(status)),
+            .hint = "choose other codecs for these images",
+            .fault = Fault::machine};
+}
+
+Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, const Plan::Step& step,
+                                             const std::vector<TextureObject>& slots)
+{
+    if (const int most = upload.driver.limits.color_targets; static_cast<int>(step.targets.size()) > most)
+        return fail({.code = "too_many_targets",
+                     .message = fmt::format("step `{}` draws into {} images, the device takes {}", step.name,
+                                            step.targets.size(), most),
+                     .hint = "choose a layout with fewer targets",
+                     .fault = Fault::machine});
+    const Functions& gl = upload.driver.gl;
+    FramebufferObject framebuffer(upload.driver);
+    upload.state.draw_framebuffer(framebuffer.id());
+    std::vector<GLenum> buffers;
+    for (const Plan::Target& target : step.targets) {
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
+        gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D,
+                                slots[static_cast<size_t>(target.slot)].id(), 0);
+    }
+    if (step.depth_slot >= 0)
+        gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+                                slots[static_cast<size_t>(step.depth_slot)].id(), 0);
+    if (buffers.empty())
+        buffers.push_back(GL_NONE);
+    gl.DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    const GLenum status = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        return fail(incomplete(plan, step, status));
+    return framebuffer;
+}
+
+Result<StepObjects> create_step(Upload& upload, Samplers& samplers, const Plan& plan, const Plan::Step& step,
+                                const std::vector<TextureObject>& slots)
+{
+    Result<FramebufferObject> framebuffer = create_framebuffer(upload, plan, step, slots);
+    Result<Program> program = create_program(upload.driver, upload.state, step);
+    Errors errors;
+    if (!framebuffer)
+        append(errors, std::move(framebuffer.error()));
+    if (!program)
+        append(errors, std::move(program.error()));
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    StepObjects objects{.framebuffer = std::move(*framebuffer), .program = std::move(*program)};
+    for (const Plan::Read& read : step.reads) {
+        const GLuint plain = samplers.get(read.filter, read.wrap, read.wrap, false);
+        const bool may_have_levels =
+            read.source == Plan::Read::Source::import &&
+            (read.has_levels || plan.imports[static_cast<size_t>(read.index)].kind != Plan::Import::Kind::picture);
+        objects.samplers.push_back(
+            {plain, may_have_levels ? samplers.get(read.filter, read.wrap, read.wrap, true) : plain});
+    }
+    objects.has_srgb_target = std::any_of(step.targets.begin(), step.targets.end(), [&](const Plan::Target& target) {
+        return plan.slots[static_cast<size_t>(target.slot)].format == Format::srgb8_a8;
+    });
+    return objects;
+}
+
+} // namespace
+
+Result<PlanObjects> create_plan_objects(Upload& upload, Samplers& samplers, Plan plan, bool is_timed)
+{
+    if (Errors errors = find_extent_errors(plan, upload.driver.limits); !errors.empty())
+        return tl::unexpected(std::move(errors));
+    PlanObjects objects;
+    for (const Plan::Slot& slot : plan.slots) {
+        upload.watch.enter(subject_of(slot));
+        objects.slots.push_back(create_target(upload, slot.format, slot.extent));
+        upload.watch.check();
+        upload.watch.leave();
+    }
+    // Framebuffers on textures that could not be allocated would only say the same again.
+    if (Errors errors = upload.watch.take(); !errors.empty())
+        return tl::unexpected(std::move(errors));
+    Errors errors;
+    for (const Plan::Step& step : plan.steps) {
+        upload.watch.enter(fmt::format("step `{}`", step.name));
+        Result<StepObjects> made = create_step(upload, samplers, plan, step, objects.slots);
+        if (made) {
+            objects.units = std::max(objects.units, made->program.units);
+            objects.steps.push_back(std::move(*made));
+            upload.watch.check();
+        } else {
+            append(errors, std::move(made.error()));
+        }
+        upload.watch.leave();
+    }
+    append(errors, upload.watch.take());
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    if (is_timed)
+        objects.timing = Timing(upload.driver, plan.steps.size());
+    objects.plan = std::move(plan);
+    return objects;
+}
+
+} // namespace passgraph::gl

@@ -1,0 +1,40 @@
+// A plan's GL objects: its slots, and per step a framebuffer, a program and the samplers it reads through.
+#pragma once
+
+#include <vector>
+
+#include <passgraph/core/plan.hpp>
+
+#include "gl/programs.hpp"
+#include "gl/textures.hpp"
+#include "gl/timing.hpp"
+
+namespace passgraph::gl {
+
+/// A read's two samplers: which is used depends on the levels of the texture that the import turned out to be.
+struct ReadSamplers {
+    GLuint plain = 0;
+    GLuint with_levels = 0;
+};
+
+struct StepObjects {
+    FramebufferObject framebuffer;
+    Program program;
+    std::vector<ReadSamplers> samplers{}; ///< per read
+    bool has_srgb_target = false;
+};
+
+struct PlanObjects {
+    Plan plan;
+    std::vector<TextureObject> slots;
+    std::vector<StepObjects> steps;
+    Timing timing;
+    int units = 1; ///< texture units that steps use, and uploads: at least unit 0
+};
+
+/// Everything a plan's frames need.
+/// Errors   extent_too_large, extent_empty, out_of_memory, shader_failed, texture_units_exceeded,
+///          framebuffer_incomplete; all of them at once as far as they do not follow from each other.
+Result<PlanObjects> create_plan_objects(Upload& upload, Samplers& samplers, Plan plan, bool is_timed);
+
+} // namespace passgraph::gl

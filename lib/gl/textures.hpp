@@ -1,0 +1,61 @@
+// Textures: what each format is in OpenGL, creation, filling, and the samplers they are read through.
+#pragma once
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include <passgraph/core/codec.hpp>
+#include <passgraph/core/declaration.hpp>
+
+#include "gl/error_watch.hpp"
+#include "gl/state.hpp"
+
+namespace passgraph::gl {
+
+/// What is needed to create and fill textures.
+struct Upload {
+    Driver& driver;
+    State& state;
+    ErrorWatch& watch;
+};
+
+GLenum internal_format(Format format);
+
+/// A texture of undefined contents and one level, to be drawn into.
+TextureObject create_target(Upload& upload, Format format, Extent extent);
+
+/// A binary32 RGBA texture of one level or all of them.
+TextureObject create_picture(Upload& upload, Extent extent, bool has_levels);
+/// Shape    `rgba` has 4 channels and the texture's extent.
+void fill_picture(Upload& upload, GLuint texture, const Picture& rgba, bool has_levels);
+
+/// Gives a texture of one level all of them.
+void add_levels(Upload& upload, GLuint texture);
+
+/// A binary16 cube map with all levels. Shape: six square faces of 4 channels, row 0 first in OpenGL's orientation.
+TextureObject create_cube(Upload& upload, const std::array<Picture, 6>& faces);
+
+/// An 8-bit material texture with all levels; row 0 is v = 0.
+TextureObject create_material_texture(Upload& upload, Extent extent, const std::uint8_t* rgba, bool is_srgb);
+
+/// The host's picture as values of a signal in RGBA: guarded; missing components 0, alpha 1, grey spread over RGB.
+///
+/// Shape    same extent, 4 channels.
+/// Range    any floats; non-finite ones are replaced by the signal's guard.
+/// Errors   none.
+Picture to_rgba(const Picture& picture, Signal signal);
+
+/// Sampler objects, one per way of reading, made while a plan or a scene is taken in.
+class Samplers {
+public:
+    explicit Samplers(Driver& driver) : driver_(driver) {}
+    GLuint get(Filter filter, AddressMode wrap_u, AddressMode wrap_v, bool has_levels);
+
+private:
+    using Key = std::tuple<Filter, AddressMode, AddressMode, bool>;
+    Driver& driver_;
+    std::map<Key, SamplerObject> samplers_;
+};
+
+} // namespace passgraph::gl

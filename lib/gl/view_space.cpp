@@ -1,0 +1,127 @@
+// World to view space in double precision.
+#include "gl/view_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <passgraph/scene/camera_matrices.hpp>
+
+namespace passgraph::gl {
+namespace {
+
+double largest_element(const glm::dmat3& m)
+{
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            largest = std::max(largest, std::abs(m[c][r]));
+    return largest;
+}
+
+glm::dmat3 cofactors(const glm::dmat3& m)
+{
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+void store(std::array<float, 16>& to, const glm::dmat4& from)
+{
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            to[static_cast<size_t>(c * 4 + r)] = static_cast<float>(from[c][r]);
+}
+
+glm::vec4 row(const glm::dmat3& m, int r, double w)
+{
+    return glm::vec4(glm::dvec4(m[0][r], m[1][r], m[2][r], w));
+}
+
+} // namespace
+
+View view_of(const Camera& camera, Extent extent, bool has_clip_control)
+{
+    const CameraMatrices given = matrices(camera, extent);
+    View view;
+    view.rotation = glm::dmat3(given.view_from_world);
+    view.position = glm::dvec3(camera.position);
+
+    glm::dmat4 clip(given.clip_from_view);
+    // View space of the ray through (ndc.x, ndc.y), where clip.w = 1.
+    view.block.ray = {static_cast<float>(1.0 / clip[0][0]), static_cast<float>(1.0 / clip[1][1]),
+                      static_cast<float>(clip[2][0] / clip[0][0]), static_cast<float>(clip[2][1] / clip[1][1])};
+    view.block.range = {camera.near_plane, camera.far_plane, 0.0f, 0.0f};
+    if (!has_clip_control)
+        for (int c = 0; c < 4; ++c)
+            clip[c][2] = 2.0 * clip[c][2] - clip[c][3];
+    store(view.block.clip_from_view, clip);
+
+    glm::dmat4 view_from_world(view.rotation);
+    view_from_world[3] = glm::dvec4(-(view.rotation * view.position), 1.0);
+    glm::dmat4 world_from_view(glm::transpose(view.rotation)); // a rotation's inverse
+    world_from_view[3] = glm::dvec4(view.position, 1.0);
+    store(view.block.view_from_world, view_from_world);
+    store(view.block.world_from_view, world_from_view);
+    return view;
+}
+
+bool same_camera(const Camera& a, const Camera& b)
+{
+    return a.position == b.position && a.direction == b.direction && a.up == b.up && a.vertical_fov == b.vertical_fov &&
+           a.near_plane == b.near_plane && a.far_plane == b.far_plane;
+}
+
+bool is_mirrored(const glm::dmat3& matrix)
+{
+    const double largest = largest_element(matrix);
+    return largest > 0.0 && glm::determinant(matrix / largest) < 0.0;
+}
+
+glm::dmat3 normal_matrix(const glm::dmat3& matrix)
+{
+    // Scaled before and after: the cofactors of a tiny or huge matrix would leave the range of single precision.
+    const double largest = largest_element(matrix);
+    if (!(largest > 0.0))
+        return glm::dmat3(1.0);
+    const glm::dmat3 cofactor = cofactors(matrix / largest);
+    const double largest_cofactor = largest_element(cofactor);
+    if (!(largest_cofactor > 0.0))
+        return glm::dmat3(1.0);
+    return cofactor / (is_mirrored(matrix) ? -largest_cofactor : largest_cofactor);
+}
+
+std::vector<glm::vec4> element_rows(const Scene& scene, const View& view)
+{
+    std::vector<glm::vec4> texels;
+    texels.reserve(scene.elements.size() * glsl::kElementRows);
+    for (const Element& element : scene.elements) {
+        const glm::dmat4 world_from_model(element.world_from_model);
+        const glm::dmat3 linear = view.rotation * glm::dmat3(world_from_model);
+        // The difference first: both places may be a million metres from the origin.
+        const glm::dvec3 place = view.rotation * (glm::dvec3(world_from_model[3]) - view.position);
+        const glm::dmat3 normals = normal_matrix(linear);
+        const Material& material =
+            scene.materials[static_cast<size_t>(scene.meshes[static_cast<size_t>(element.mesh)].material)];
+        for (int r = 0; r < 3; ++r)
+            texels.push_back(row(linear, r, place[r]));
+        for (int r = 0; r < 3; ++r)
+            texels.push_back(row(normals, r, r == 0 && is_mirrored(linear) ? 1.0 : 0.0));
+        texels.push_back(material.base_color);
+        texels.emplace_back(material.metallic, material.roughness, material.specular,
+                            material.is_double_sided ? 1.0f : 0.0f);
+        texels.emplace_back(material.emissive, 0.0f);
+    }
+    return texels;
+}
+
+std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)
+{
+    std::vector<glm::vec4> texels;
+    texels.reserve(scene.lights.size() * glsl::kLightTexels);
+    for (const Light& light : scene.lights) {
+        texels.emplace_back(light.color, light.kind == Light::Kind::point ? 1.0f : 0.0f);
+        texels.emplace_back(glm::vec3(view.rotation * glm::dvec3(light.direction)), light.radius);
+        texels.emplace_back(glm::vec3(view.rotation * (glm::dvec3(light.position) - view.position)), 0.0f);
+    }
+    return texels;
+}
+
+} // namespace passgraph::gl

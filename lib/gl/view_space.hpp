@@ -1,0 +1,44 @@
+// The camera's block, and elements and lights as the camera sees them, in double precision until the last step.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <passgraph/core/glsl_interface.hpp>
+#include <passgraph/scene/scene.hpp>
+
+namespace passgraph::gl {
+
+/// A camera taken apart so that nothing large is added to anything small in single precision.
+struct View {
+    glm::dmat3 rotation{1.0}; ///< view from world, directions
+    glm::dvec3 position{0.0}; ///< of the camera, world space, metres
+    glsl::CameraBlock block{};
+};
+
+/// `has_clip_control`: clip space depth runs 0..1 as it is; without, it is stretched to -1..1, reversed all the same.
+View view_of(const Camera& camera, Extent extent, bool has_clip_control);
+
+bool same_camera(const Camera& a, const Camera& b);
+
+/// The cofactors of a 3x3 matrix (its adjugate's transpose) times the sign of its determinant: what takes a normal
+/// along.
+///
+/// Range    any finite matrix, singular, mirrored, huge or tiny; the result is finite, its largest element is 1 in
+/// size.
+///          A matrix of rank 1 or 0, which leaves no surface, gives the identity.
+/// Source   own derivation: for invertible M, cof(M) = det(M) M^-T, so sign(det) cof(M) is M^-T up to a positive
+/// factor.
+glm::dmat3 normal_matrix(const glm::dmat3& matrix);
+
+/// True when the transform turns a left hand into a right one.
+bool is_mirrored(const glm::dmat3& matrix);
+
+/// Shape    glsl::kElementRows rows per element of the scene.
+std::vector<glm::vec4> element_rows(const Scene& scene, const View& view);
+
+/// Shape    glsl::kLightTexels RGBA texels per light of the scene.
+std::vector<glm::vec4> light_texels(const Scene& scene, const View& view);
+
+} // namespace passgraph::gl
