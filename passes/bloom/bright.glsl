@@ -1,0 +1,22 @@
+/*{
+  "pass": "bright",
+  "summary": "Keeps what is brighter than a threshold, with a soft knee, and is black elsewhere.",
+  "inputs": { "image": "radiance" },
+  "outputs": { "color": "radiance" },
+  "params": {
+    "threshold": { "type": "float", "default": 0.8, "range": [0, 65504], "label": "Luminance where bloom begins" },
+    "knee": { "type": "float", "default": 0.5, "range": [0, 1], "label": "Softness, as a share of the threshold" }
+  },
+  "identity": { "when": "threshold == 0", "is": "image" },
+  "source": "Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare"
+}*/
+#include "luminance.glsl"
+#include "soft_threshold.glsl"
+
+vec3 bright(vec2 uv)
+{
+    vec3 seen = image(uv);
+    float brightness = luminance(seen); // of all channels together, so that the hue is kept
+    float kept = above_threshold(brightness, threshold, knee);
+    return brightness > 0.0 ? seen * (kept / brightness) : vec3(0.0);
+}

@@ -1,0 +1,11 @@
+// Directions of vectors that may have none.
+
+/// `v` at length 1, or `fallback` where v is zero or not finite.
+/// Scaled by its largest component first, because the squares of 1e-20 and 1e20 leave binary32.
+vec3 unit_vector_or(vec3 v, vec3 fallback)
+{
+    float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+    vec3 scaled = v / largest;
+    bool has_direction = largest > 1e-37 && largest <= 3.4e38 && dot(scaled, scaled) <= 3.1;
+    return has_direction ? scaled * inversesqrt(dot(scaled, scaled)) : fallback;
+}

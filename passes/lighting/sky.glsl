@@ -1,0 +1,14 @@
+/*{
+  "pass": "sky",
+  "summary": "Shows the sky where no surface is.",
+  "reads": ["camera"],
+  "inputs": { "image": "radiance", "depth": "depth", "sky": { "signal": "radiance", "over": "sphere" } },
+  "outputs": { "color": { "signal": "radiance", "size": { "of": "image" } } },
+  "params": { "intensity": { "type": "float", "default": 1, "range": [0, 100] } },
+  "source": "Greene 1986, Environment Mapping and Other Applications of World Projections"
+}*/
+vec3 sky(vec2 uv)
+{
+    // Depth is reversed: 0 is the far end of everything, which only a cleared pixel has.
+    return depth(uv) > 0.0 ? image(uv) : intensity * sky(world_from_view(view_ray(uv)), 0.0);
+}

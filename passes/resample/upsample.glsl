@@ -1,0 +1,11 @@
+/*{
+  "pass": "upsample",
+  "summary": "Doubles a picture, bilinearly.",
+  "inputs": { "image": { "signal": "color", "filter": "linear" } },
+  "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [2, 1] } } },
+  "source": "bilinear interpolation"
+}*/
+vec3 upsample(vec2 uv)
+{
+    return image(uv);
+}

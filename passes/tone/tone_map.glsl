@@ -1,0 +1,25 @@
+/*{
+  "pass": "tone_map",
+  "summary": "Brings radiance onto a display: the filmic curve of Uncharted 2, then the one and only sRGB encoding.",
+  "inputs": { "image": "radiance" },
+  "outputs": { "color": "display" },
+  "params": {
+    "exposure": { "type": "float", "default": 1, "range": [0.01, 100], "scale": "log" },
+    "white": { "type": "float", "default": 11.2, "range": [1, 100], "static": true, "label": "Radiance shown as white" }
+  },
+  "source": "Hable 2010, Uncharted 2: HDR Lighting; IEC 61966-2-1"
+}*/
+#include "hable.glsl"
+#include "srgb.glsl"
+
+float filmic(float x)
+{
+    // The 2017 demo's curve: shoulder 0.22, linear 0.30, angle 0.10; toe 0.20, its numerator 0.01, denominator 0.30.
+    return hable(x, white, vec3(0.22, 0.30, 0.10), vec3(0.20, 0.01, 0.30));
+}
+
+vec3 tone_map(vec2 uv)
+{
+    vec3 exposed = exposure * image(uv);
+    return srgb_encode(vec3(filmic(exposed.x), filmic(exposed.y), filmic(exposed.z)));
+}
