@@ -5,7 +5,7 @@ import numpy as np
 from surfaces import drop_degenerate, flat_polygon, join, unit
 from textures import blend, encode_srgb, fractal, hashed, mix, noise, picture, smoothstep, surface_picture
 
-CELLS = 26
+CELLS = 20
 LEFT, BACK, SIZE = -160.0, -180.0, 320.0
 PITCH = SIZE / CELLS
 GAP = 0.42    # half the width of a joint
@@ -79,12 +79,13 @@ def stone(column, row):
     count = len(outer)
     up = unit([-tilt[0], 1.0, -tilt[1]])
     out3 = np.stack([outward[:, 0], np.zeros(count), outward[:, 1]], axis=1)
-    positions = np.concatenate([lift(outer, DEPTH + 0.2), lift(inner, 0.0), lift(middle[None], 0.0)])
-    normals = np.concatenate([unit(0.75 * out3 + 0.66 * up), unit(0.16 * out3 + up), up[None]])
+    positions = np.concatenate([lift(outer, DEPTH + 0.2), lift(inner, 0.0)])
+    normals = np.concatenate([unit(0.75 * out3 + 0.66 * up), unit(0.16 * out3 + up)])
     k = np.arange(count)
     n = np.roll(k, -1)
+    top = np.arange(1, count - 1)
     triangles = np.concatenate([np.stack([k, n, count + n], 1), np.stack([k, count + n, count + k], 1),
-                                np.stack([count + k, count + n, np.full(count, 2 * count)], 1)])
+                                np.stack([np.full(count - 2, count), count + top, count + top + 1], 1)])
     return drop_degenerate((positions, normals, floor_uv(positions), triangles))
 
 
