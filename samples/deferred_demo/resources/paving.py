@@ -37,7 +37,7 @@ def clip(polygon, normal, limit):
 
 
 def stone_outline(column, row, inset):
-    """A stone's Voronoi cell, shrunk by `inset`, with its corners cut round; counter-clockwise in (x, z) world units."""
+    """A stone's Voronoi cell, shrunk by `inset`; counter-clockwise in (x, z) world units."""
     center = np.array(stone_center(column, row), dtype=float)
     polygon = [center + np.array(corner) for corner in ((-3.0, -3.0), (3.0, -3.0), (3.0, 3.0), (-3.0, 3.0))]
     for other_row in range(row - 2, row + 3):
@@ -49,11 +49,7 @@ def stone_outline(column, row, inset):
             length = np.sqrt(across @ across)
             normal = across / length
             polygon = clip(polygon, normal, normal @ (center + other) / 2.0 - inset / PITCH)
-    points = np.array(polygon)
-    following = np.roll(points, -1, axis=0)
-    cut = 0.18
-    rounded = np.stack([mix(points, following, cut), mix(points, following, 1.0 - cut)], axis=1).reshape(-1, 2)
-    return rounded * PITCH + np.array([LEFT, BACK])
+    return np.array(polygon) * PITCH + np.array([LEFT, BACK])
 
 
 def floor_uv(points):
