@@ -151,7 +151,7 @@ Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec)
             float* value = &decoded.texels[decoded.index(x, y)];
             if (codec.packing == Packing::plain) {
                 for (int c = 0; c < components; ++c)
-                    value[c] = c < raw.channels ? texel[c] : 0.0f;
+                    value[c] = c < raw.channels ? texel[c] : c == 3 ? 1.0f : 0.0f;
                 continue;
             }
             const auto direction = codec.packing == Packing::octahedral ? octahedral_direction(texel[0], texel[1], codes)

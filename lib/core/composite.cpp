@@ -1,5 +1,6 @@
 // Composites: a graph file with ports, declared like a pass and expanded where it is used.
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,15 @@
 namespace passgraph {
 namespace {
 
+template <class Ports>
+std::vector<std::string> names_of(const Ports& ports)
+{
+    std::vector<std::string> names;
+    for (const auto& port : ports)
+        names.push_back(port.name);
+    return names;
+}
+
 void declare_ports(PassDeclaration& pass, const GraphDescription& description, const Graph& inside)
 {
     for (const auto& input : description.inputs) {
@@ -16,7 +26,9 @@ void declare_ports(PassDeclaration& pass, const GraphDescription& description, c
         port.name = input.name;
         port.signal = input.signal;
         port.where = input.where;
-        port.over = input.kind == GraphNode::Kind::cube ? Over::sphere : Over::image;
+        port.over = input.kind == GraphNode::Kind::cube    ? Over::sphere
+                    : input.kind == GraphNode::Kind::scene ? Over::scene
+                                                           : Over::image;
         pass.inputs.push_back(std::move(port));
     }
     for (const GraphOutput& output : inside.outputs()) {
@@ -58,11 +70,29 @@ void declare_settings(PassDeclaration& pass, const GraphDescription& description
 
 } // namespace
 
+namespace {
+
+/// True when expanding the description's passes would come upon `name`, which would never end.
+bool expands_to(const GraphDescription& description, std::string_view name, const PassLibrary& library, std::set<std::string>& seen)
+{
+    return std::any_of(description.passes.begin(), description.passes.end(), [&](const GraphDescription::Pass& use) {
+        if (use.pass.text == name)
+            return true;
+        const PassPtr pass = library.find(use.pass.text);
+        return pass && pass->composite && seen.insert(use.pass.text).second && expands_to(*pass->composite, name, library, seen);
+    });
+}
+
+} // namespace
+
 Result<PassPtr> declare_composite(std::shared_ptr<const GraphDescription> description, const std::string& family,
                                   const PassLibrary& library)
 {
     if (description->composite_name.empty())
         return fail({"not_a_composite", "the file lacks \"pass\": the name of the composite", "", {description->file, 1, 1}});
+    if (std::set<std::string> seen; expands_to(*description, description->composite_name, library, seen))
+        return fail({"cycle", fmt::format("the composite `{}` is made of itself", description->composite_name),
+                     "give the composite another name, or use another pass inside", {description->file, 1, 1}});
     const Graph inside = build_graph(*description, library);
     if (!inside.errors().empty())
         return tl::unexpected(inside.errors());
@@ -86,15 +116,12 @@ using NamedImage = std::pair<std::string, ImageRef>;
 std::vector<NamedImage> match_inputs(const PassDeclaration& pass, const PassArguments& arguments, Graph& graph)
 {
     std::vector<NamedImage> images;
-    std::vector<std::string> names;
-    for (const InputPort& port : pass.inputs)
-        names.push_back(port.name);
     for (const PassArguments::Input& input : arguments.inputs) {
         if (pass.find_input(input.name) >= 0)
             images.emplace_back(input.name, input.image.ref());
         else
             graph.report({"unknown_input", fmt::format("{} ({}) has no input `{}`", arguments.name, pass.name, input.name),
-                          suggest(input.name, names, "inputs"), input.where});
+                          suggest(input.name, names_of(pass.inputs), "inputs"), input.where});
     }
     for (const InputPort& port : pass.inputs) {
         if (std::any_of(images.begin(), images.end(), [&](const NamedImage& image) { return image.first == port.name; }))
@@ -126,6 +153,45 @@ void route_settings(const PassDeclaration& pass, const PassArguments& arguments,
     }
 }
 
+/// Stores the composite's outputs as its use asks; an output that is an input handed through is not stored here.
+void route_codecs(const PassDeclaration& pass, const PassArguments& arguments, const std::vector<NamedImage>& outputs,
+                  std::vector<GraphNode>& nodes, Errors& errors)
+{
+    for (const PassArguments::Setting& codec : arguments.codecs) {
+        const int output = pass.find_output(codec.name);
+        if (output < 0) {
+            errors.push_back({"unknown_image", fmt::format("{} ({}) has no output `{}`", arguments.name, pass.name, codec.name),
+                              suggest(codec.name, names_of(pass.outputs), "outputs"), codec.where});
+            continue;
+        }
+        const ImageRef image = outputs[static_cast<size_t>(output)].second;
+        if (image.node < 0 || !nodes[static_cast<size_t>(image.node)].pass)
+            continue;
+        GraphNode& node = nodes[static_cast<size_t>(image.node)];
+        PassArguments::Setting inner = codec;
+        inner.name = node.pass->outputs[static_cast<size_t>(image.output)].name;
+        apply_codec(node, inner, errors);
+    }
+}
+
+/// Folds those parameters of an inner node to which a static setting of the composite leads.
+void fold_statics(GraphNode& node, const PassArguments& arguments, const Graph& inside)
+{
+    for (const auto& [name, where] : arguments.statics)
+        for (const std::string& place : inside.places_of(name))
+            if (place.substr(0, place.rfind('.')) == node.name)
+                if (const int param = node.pass->find_param(place.substr(place.rfind('.') + 1)); param >= 0)
+                    node.is_static[static_cast<size_t>(param)] = true;
+}
+
+void check_statics(const PassDeclaration& pass, const PassArguments& arguments, Graph& graph)
+{
+    for (const auto& [name, where] : arguments.statics)
+        if (pass.find_param(name) < 0)
+            graph.report({"unknown_param", fmt::format("{} ({}) has no parameter `{}`", arguments.name, pass.name, name),
+                          suggest(name, names_of(pass.params), "parameters"), where});
+}
+
 } // namespace
 
 AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
@@ -133,6 +199,7 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
     Graph inside = build_graph(*pass->composite, *library_);
     const std::vector<NamedImage> images = match_inputs(*pass, arguments, *this);
     route_settings(*pass, arguments, inside, errors_);
+    check_statics(*pass, arguments, *this);
     if (arguments.scale || arguments.size_of)
         report({"scale_on_composite", fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
                 "scale its input instead, with a pass such as downsample", arguments.where});
@@ -143,7 +210,9 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
             return image.node < 0 ? image : ImageRef{moved[static_cast<size_t>(image.node)], image.output};
         for (const auto& [name, outside] : images)
             if (name == inside.nodes()[static_cast<size_t>(image.node)].name)
-                return outside;
+                return outside.node >= 0 && nodes_[static_cast<size_t>(outside.node)].kind == GraphNode::Kind::scene
+                           ? ImageRef{outside.node, image.output} // a scene's sky is the outer scene's
+                           : outside;
         return ImageRef{};
     };
     for (size_t i = 0; i < inside.nodes().size(); ++i) {
@@ -155,12 +224,9 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
                 wire = Wire{here(wire->from), arguments.where};
         if (node.size_of)
             node.size_of = here(*node.size_of);
-        for (const auto& [name, where] : arguments.statics)
-            for (const std::string& place : inside.places_of(name))
-                if (place.substr(0, place.rfind('.')) == node.name)
-                    if (const int param = node.pass->find_param(place.substr(place.rfind('.') + 1)); param >= 0)
-                        node.is_static[static_cast<size_t>(param)] = true;
+        fold_statics(node, arguments, inside);
         node.name = fmt::format("{}.{}", arguments.name, node.name);
+        node.where = arguments.where; // what is wrong with it now is the use's fault: inside it was checked
         moved[i] = static_cast<int>(nodes_.size());
         nodes_.push_back(std::move(node));
     }
@@ -168,14 +234,7 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
     std::vector<NamedImage> outputs;
     for (const GraphOutput& output : inside.outputs())
         outputs.emplace_back(output.name, here(output.from));
-    for (const PassArguments::Setting& codec : arguments.codecs)
-        for (const auto& [name, image] : outputs)
-            if (name == codec.name) {
-                PassArguments::Setting inner = codec;
-                GraphNode& node = nodes_[static_cast<size_t>(image.node)];
-                inner.name = node.pass->outputs[static_cast<size_t>(image.output)].name;
-                apply_codec(node, inner, errors_);
-            }
+    route_codecs(*pass, arguments, outputs, nodes_, errors_);
     // The settings of a composite stay settable under its own name.
     for (const GraphParam& route : inside.params()) {
         GraphParam outer{.name = arguments.name + "." + route.name, .places = {}, .where = arguments.where};

@@ -1,6 +1,8 @@
 // Building a graph: nodes, wires, outputs. Mistakes are kept, to come back all at once.
 #include "passgraph/core/graph.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/graph_settings.hpp"
@@ -69,14 +71,17 @@ AnyImage Graph::cube(std::string name, Signal signal, Location where)
 
 std::string Graph::free_name(std::string wanted, const Location& where, bool is_chosen)
 {
-    if (find_node(wanted) < 0)
+    const auto is_taken = [&](const std::string& name) {
+        return find_node(name) >= 0 || std::any_of(composites_.begin(), composites_.end(), [&](const auto& c) { return c.first == name; });
+    };
+    if (!is_taken(wanted))
         return wanted;
     if (is_chosen) {
         report({"duplicate_name", fmt::format("the name `{}` is used twice", wanted), "rename one of the two", where});
         return wanted;
     }
     int number = 2;
-    while (find_node(fmt::format("{}_{}", wanted, number)) >= 0)
+    while (is_taken(fmt::format("{}_{}", wanted, number)))
         ++number;
     return fmt::format("{}_{}", wanted, number);
 }

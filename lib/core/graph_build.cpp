@@ -111,11 +111,11 @@ void add_pass(Graph& graph, const GraphDescription& description, const GraphDesc
     arguments.statics = pass.statics;
     arguments.codecs = pass.codecs;
     arguments.scale = pass.scale;
+    const PassPtr declaration = graph.library().find(pass.pass.text);
     for (const auto& input : pass.inputs) {
-        if (const auto image = resolve(graph, description, input.image))
-            arguments.inputs.push_back({input.port, *image, input.image.where});
-        else
-            arguments.inputs.push_back({input.port, AnyImage(ImageRef{}), input.image.where});
+        const auto image = resolve(graph, description, input.image);
+        const bool is_port = declaration && declaration->find_input(input.port) >= 0;
+        arguments.inputs.push_back({input.port, image.value_or(AnyImage(ImageRef{})), is_port ? input.image.where : input.where});
     }
     if (pass.size_of)
         arguments.size_of = resolve(graph, description, *pass.size_of);
@@ -154,8 +154,7 @@ Graph build_graph(const GraphDescription& description, const PassLibrary& librar
     for (const size_t pass : producers.order())
         add_pass(graph, description, description.passes[pass]);
     for (const auto& output : description.outputs)
-        if (const auto image = resolve(graph, description, output.image))
-            graph.output(output.name, *image, output.image.where);
+        graph.output(output.name, resolve(graph, description, output.image).value_or(AnyImage(ImageRef{})), output.image.where);
     for (const GraphParam& param : description.params) {
         graph.param(param);
         check_param(graph, param);

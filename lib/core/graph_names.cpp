@@ -1,4 +1,6 @@
 // The names people give to images and settings of a graph, resolved.
+#include <set>
+
 #include <fmt/format.h>
 
 #include "core/graph_settings.hpp"
@@ -24,19 +26,23 @@ bool has_setting(const GraphNode& node, std::string_view name)
 
 std::vector<std::string> Graph::places_of(std::string_view name) const
 {
-    const auto [node_name, setting] = split_place(name);
-    const int node = find_node(node_name);
-    if (node >= 0 && has_setting(nodes_[static_cast<size_t>(node)], setting))
-        return {std::string(name)};
     std::vector<std::string> places;
-    for (const GraphParam& param : params_) {
-        if (param.name != name)
-            continue;
-        for (const std::string& place : param.places)
-            if (place != name)
-                for (std::string& inner : places_of(place))
-                    places.push_back(std::move(inner));
-    }
+    std::set<std::string, std::less<>> seen; // params may name each other in a circle, which leads nowhere
+    const auto follow = [&](const auto& self, std::string_view wanted) -> void {
+        if (!seen.emplace(wanted).second)
+            return;
+        const auto [node_name, setting] = split_place(wanted);
+        const int node = find_node(node_name);
+        if (node >= 0 && has_setting(nodes_[static_cast<size_t>(node)], setting)) {
+            places.emplace_back(wanted);
+            return;
+        }
+        for (const GraphParam& param : params_)
+            if (param.name == wanted)
+                for (const std::string& place : param.places)
+                    self(self, place);
+    };
+    follow(follow, name);
     return places;
 }
 
@@ -96,7 +102,7 @@ std::optional<ImageRef> Graph::find_image(std::string_view name, Error* why) con
         for (const auto& [output, image] : outputs) {
             if (output == port || (port.empty() && outputs.size() == 1))
                 return image;
-            names.push_back(fmt::format("{}.{}", node, output));
+            names.push_back(output.empty() ? std::string(node) : fmt::format("{}.{}", node, output));
         }
         if (port.empty())
             return refuse(fmt::format("`{}` has {} outputs", node, outputs.size()), suggest("", names, "images"));

@@ -2,6 +2,8 @@
 #include "core/graph_settings.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -72,6 +74,18 @@ bool has_right_type(const Param& param, const std::vector<double>& numbers)
     return param.type != ParamType::enum_;
 }
 
+/// A number that came from a binary32 as the decimal it was written as: 0.1f means 0.1, which is inside [0.1, 1].
+double as_written(double number)
+{
+    const float narrow = static_cast<float>(number);
+    if (static_cast<double>(narrow) != number)
+        return number;
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), narrow).ptr;
+    std::from_chars(digits.data(), end, number);
+    return number;
+}
+
 void set_param(GraphNode& node, size_t index, const PassArguments::Setting& setting, Errors& errors)
 {
     const Param& param = node.pass->params[index];
@@ -97,6 +111,8 @@ void set_param(GraphNode& node, size_t index, const PassArguments::Setting& sett
     }
     Value value;
     for (size_t i = 0; i < numbers.size(); ++i) {
+        if (param.type != ParamType::int_)
+            numbers[i] = as_written(numbers[i]);
         if (!(numbers[i] >= param.lowest && numbers[i] <= param.highest) || !std::isfinite(numbers[i])) {
             errors.push_back({"param_out_of_range", fmt::format("{} = {} is outside [{}, {}]", place, numbers[i],
                                                                 param.lowest, param.highest),

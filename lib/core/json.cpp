@@ -89,11 +89,17 @@ public:
     {
         // nlohmann's text is "[json.exception.parse_error.101] parse error at line 1, column 2: what"; we have the place.
         std::string what = problem.what();
+        if (const size_t name = what.find("] "); name != std::string::npos)
+            what = what.substr(name + 2);
         if (const size_t colon = what.find(": "); colon != std::string::npos)
             what = what.substr(colon + 2);
-        const bool at_end = reached == text_.data() + text_.size();
-        Location where = position(reached > text_.data() && !at_end ? reached - 1 : reached);
-        errors.push_back({"json_syntax", what, at_end ? "the text ends too early: close what is open" : "", where});
+        const auto says = [&](const char* words) { return what.find(words) != std::string::npos; };
+        const bool is_separator = says("unexpected ','") || says("unexpected ':'");
+        Location where = is_separator ? position(reached - 1) : token_start();
+        const bool is_cut_off = says("unexpected end of input") || (says("invalid") && is_begun(rest()));
+        if (is_cut_off)
+            where = position(text_.data() + text_.size());
+        errors.push_back({"json_syntax", what, is_cut_off ? "the text ends too early: close what is open" : "", where});
         return false;
     }
 
@@ -112,6 +118,18 @@ private:
             }
         }
         return {file_, line_, column_};
+    }
+
+    std::string_view rest() const { return text_.substr(static_cast<size_t>(seen_ - text_.data())); }
+
+    /// True when more text could make a token of it.
+    static bool is_begun(std::string_view token)
+    {
+        const auto begins = [&](std::string_view word) { return word.starts_with(token); };
+        const bool is_number = token.find_first_not_of("+-.eE0123456789") == std::string_view::npos;
+        const bool is_string = token.starts_with('"') && token.find_first_of("\"\n", 1) == std::string_view::npos;
+        const bool is_comment = token.starts_with("/*") && token.find("*/", 2) == std::string_view::npos;
+        return begins("true") || begins("false") || begins("null") || begins("/*") || is_number || is_string || is_comment;
     }
 
     /// Between two tokens stand only blanks, commas, colons and comments: skip them from the last token's end.
@@ -133,6 +151,10 @@ private:
             }
         }
         last_end_ = reached;
+        // To see where a number ends, the parser has read one character more, which may begin a comment.
+        const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+        if (place < end && (*place == '-' || is_digit(*place)) && !(reached == end && is_digit(end[-1])))
+            last_end_ = reached - 1;
         return position(place);
     }
 

@@ -1,4 +1,6 @@
 // Chooses how each image is stored: the node's own codec, its layout's, or the signal's default.
+#include <algorithm>
+
 #include "core/compiler/ir.hpp"
 
 namespace passgraph::compiler {
@@ -20,9 +22,11 @@ Codec choose(const GraphNode& node, size_t output, Signal signal)
 {
     if (const Codec* own = find_codec(signal, node.codecs[output]))
         return *own;
-    if (const Codec* from_layout = find_codec(signal, layout_codec(node, node.pass->outputs[output].name)))
+    if (const Codec* from_layout = find_codec(signal, layout_codec(node, node.pass->outputs[output].name));
+        from_layout && can_store(*node.pass, signal, *from_layout))
         return *from_layout;
-    return codecs_of(signal).front();
+    const auto& codecs = codecs_of(signal);
+    return *std::find_if(codecs.begin(), codecs.end(), [&](const Codec& codec) { return can_store(*node.pass, signal, codec); });
 }
 
 } // namespace

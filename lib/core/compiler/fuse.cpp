@@ -29,12 +29,19 @@ public:
     {
         if (!options_.fuse)
             return;
-        for_each_edge([&](ImageRef image, int reader, int) {
-            const int a = draw_of(image.node);
-            const int b = draw_of(reader);
-            if (a != b && why_not(a, b).empty())
+        // A merge may free what stood in another's way (a texture that both read counts once), so try until none is left.
+        bool is_changed = true;
+        while (is_changed) {
+            is_changed = false;
+            for_each_edge([&](ImageRef image, int reader, int) {
+                const int a = draw_of(image.node);
+                const int b = draw_of(reader);
+                if (a == b || !why_not(a, b).empty())
+                    return;
                 merge(a, b);
-        });
+                is_changed = true;
+            });
+        }
     }
 
     Draws result() const
@@ -184,13 +191,13 @@ private:
         });
         for (const int node : nodes) {
             const PassDeclaration& pass = *graph_.node(node).pass;
-            // Geometry needs its depth buffer whoever reads it; a pass kept alive by force needs somewhere to draw.
+            // Geometry needs its depth buffer, whoever reads it.
             const int depth = pass.kind == PassKind::geometry ? pass.find_output("depth") : -1;
             if (depth >= 0)
                 stored.insert({node, depth});
-            if (stored.empty() && nodes.size() == 1)
-                stored.insert({node, 0});
         }
+        if (stored.empty()) // kept alive by force: it needs somewhere to draw
+            stored.insert({nodes.back(), 0});
         return {stored.begin(), stored.end()};
     }
 

@@ -39,6 +39,12 @@ struct Encoding {
     const Codec& of(ImageRef ref) const { return codecs[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)]; }
 };
 
+/// A depth buffer is what geometry writes its depth to, and nothing else: a full-screen draw has none.
+inline bool can_store(const PassDeclaration& pass, Signal signal, const Codec& codec)
+{
+    return signal != Signal::depth || is_depth(codec.format) == (pass.kind == PassKind::geometry);
+}
+
 /// Which nodes an output depends on.
 struct Liveness {
     std::vector<bool> is_live;

@@ -91,18 +91,25 @@ private:
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
         source.is_import = imports_.contains(wire->from);
-        source.name = sampler_for(wire->from, port);
+        source.name = sampler_for(wire->from, port, filter_for(port, image));
         return source;
     }
 
+    /// At the centers of its own texels a linear filter gives the texel, at twice a nearest read's cost or more.
+    Filter filter_for(const InputPort& port, const TypedImage& image) const
+    {
+        const bool is_own_texel = port.access.kind == AccessClass::pointwise && image.extent == graph_.image(draw_.stored.front()).extent;
+        return port.over == Over::sphere ? Filter::linear : is_own_texel ? Filter::nearest : port.filter;
+    }
+
     /// The sampler that reads an image in the port's way; equal ways share one.
-    std::string sampler_for(ImageRef image, const InputPort& port)
+    std::string sampler_for(ImageRef image, const InputPort& port, Filter filter)
     {
         Plan::Read read;
         const auto import = imports_.find(image);
         read.source = import == imports_.end() ? Plan::Read::Source::slot : Plan::Read::Source::import;
         read.index = import == imports_.end() ? slots_.slot_of.at(image) : import->second;
-        read.filter = port.over == Over::sphere ? Filter::linear : port.filter;
+        read.filter = filter;
         read.wrap = port.wrap;
         read.has_levels = port.has_levels || port.over == Over::sphere;
         read.image = graph_.graph->image_name(image);

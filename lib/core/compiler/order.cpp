@@ -1,5 +1,6 @@
 // A topological order of the draws that keeps the declaration's order where it can.
 #include <algorithm>
+#include <cassert>
 
 #include "core/compiler/ir.hpp"
 
@@ -17,6 +18,7 @@ Order order_draws(const TypedGraph& graph, const Draws& draws)
     Order order;
     std::vector<bool> is_done(count, false);
     while (order.size() < count) {
+        [[maybe_unused]] const size_t before = order.size();
         for (size_t i = 0; i < count; ++i) {
             const bool is_ready = !is_done[i] && std::all_of(producers[i].begin(), producers[i].end(),
                                                              [&](int p) { return is_done[static_cast<size_t>(p)]; });
@@ -26,6 +28,7 @@ Order order_draws(const TypedGraph& graph, const Draws& draws)
             order.push_back(static_cast<int>(i));
             break;
         }
+        assert(order.size() > before && "fusion made draws that wait for each other");
     }
     return order;
 }

@@ -209,8 +209,16 @@ private:
     void check_codec(size_t output, Signal signal)
     {
         const std::string& codec = current_->codecs[output];
-        if (codec.empty() || find_codec(signal, codec))
+        if (codec.empty())
             return;
+        if (const Codec* found = find_codec(signal, codec)) {
+            if (!can_store(*current_->pass, signal, *found))
+                report("unknown_codec", fmt::format("{}.{}: `{}` cannot store the depth of a pass of this kind", current_->name,
+                                                    current_->pass->outputs[output].name, codec),
+                       found->format == Format::r32f ? "geometry writes its depth to a depth buffer: depth32f or depth24"
+                                                     : "a full-screen pass has no depth buffer: r32f", current_->where);
+            return;
+        }
         report("unknown_codec", fmt::format("{}.{} is {}, which no codec `{}` stores", current_->name, current_->pass->outputs[output].name,
                                             info(signal).name, codec),
                suggest(codec, codec_names(signal), "codecs"), current_->where);

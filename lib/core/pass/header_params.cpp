@@ -64,7 +64,7 @@ bool read_value(const Json& json, Param& param)
     }
     if (count == 1) {
         param.default_value = Value(json.number);
-        return json.is(Json::Kind::number) && (param.type != ParamType::int_ || json.is_integer);
+        return json.is(Json::Kind::number) && (param.type != ParamType::int_ || (json.is_integer && std::abs(json.number) <= 2147483647.0));
     }
     if (!json.is(Json::Kind::array) || json.array.size() != count)
         return false;
@@ -133,7 +133,7 @@ void read_long_form(const Json& json, Param& param, Errors& errors)
             errors.push_back({"unknown_item", fmt::format("a scale cannot be `{}`", scale->string), suggest(scale->string, {"linear", "log"}, "scales"), scale->where});
     }
     fields.finish();
-    for (int i = 0; value && i < component_count(param.type); ++i) {
+    for (int i = 0; value && param.lowest <= param.highest && i < component_count(param.type); ++i) {
         const double component = param.default_value.v[static_cast<size_t>(i)];
         if (param.type != ParamType::enum_ && !(component >= param.lowest && component <= param.highest)) {
             errors.push_back({"param_out_of_range", fmt::format("param `{}`: the default {} is outside [{}, {}]", param.name, component, param.lowest, param.highest),

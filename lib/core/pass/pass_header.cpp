@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -19,13 +18,13 @@ public:
     Includes(const IncludeFinder& find, Errors& errors) : find_(find), errors_(errors) {}
 
     /// Blanks the include lines of `text` and appends what they name to `into`.
-    std::string resolve(std::string_view text, const std::string& file, int first_line, std::vector<std::shared_ptr<const GlslText>>& into)
+    std::string resolve(std::string_view text, const Location& start, std::vector<std::shared_ptr<const GlslText>>& into)
     {
         std::string rest(text);
-        for (const GlslToken& token : scan_glsl(text, first_line, 1)) {
+        for (const GlslToken& token : scan_glsl(text, start.line, start.column)) {
             if (!token.is_directive || !token.text.starts_with("#include"))
                 continue;
-            const Location where{file, token.line, token.column};
+            const Location where{start.file, token.line, token.column};
             const size_t offset = static_cast<size_t>(token.text.data() - text.data());
             std::fill_n(rest.begin() + static_cast<std::ptrdiff_t>(offset), token.text.size(), ' ');
             const size_t open = token.text.find('"');
@@ -61,7 +60,7 @@ private:
         open_.push_back(found->path);
         auto text = std::make_shared<GlslText>();
         text->file = found->path;
-        text->text = resolve(found->text, found->path, 1, text->includes);
+        text->text = resolve(found->text, {found->path, 1, 1}, text->includes);
         const auto tokens = scan_glsl(text->text, 1, 1);
         text->globals = global_names(tokens);
         text->macros = macro_names(tokens);
@@ -128,17 +127,22 @@ void check_namespace(const PassDeclaration& pass, Errors& errors)
         if (port.over == Over::sphere && port.name == pass.name)
             continue; // sky(direction, lod) beside sky(uv): GLSL overloads
         take(port.name, port.where);
+        if (port.over == Over::sphere)
+            take(port.name + "_top_lod", port.where);
         if (port.over != Over::image)
             continue;
         take(port.name + "_texel", port.where);
         take(port.name + "_size", port.where);
+        if (port.signal == Signal::color)
+            take(port.name + "_alpha", port.where);
+        if (port.has_levels)
+            take(port.name + "_lod", port.where);
     }
     for (const Param& param : pass.params)
         take(param.name, param.where);
     for (const Selection& selection : pass.selections)
         if (selection.kind != Selection::Kind::layout)
             take(selection.name, selection.where);
-    std::set<std::string> outputs;
     for (const OutputPort& port : pass.outputs)
         if (taken.contains(port.name))
             errors.push_back({"duplicate_name", fmt::format("`{}` is used twice", port.name), "ports, parameters, choices and ladders share one namespace", port.where});
@@ -203,7 +207,7 @@ Result<PassDeclaration> read_pass_header(std::string_view text, const std::strin
                                          const IncludeFinder& find_include)
 {
     const size_t open = text.find("/*");
-    const size_t close = text.find("*/");
+    const size_t close = open == std::string_view::npos ? open : text.find("*/", open + 2);
     const bool leads = open != std::string_view::npos && text.substr(0, open).find_first_not_of(" \t\r\n") == std::string_view::npos;
     if (!leads || close == std::string_view::npos)
         return fail({"header_missing", "the file does not start with its header, a JSON object in a comment",
@@ -224,7 +228,7 @@ Result<PassDeclaration> read_pass_header(std::string_view text, const std::strin
     pass.body.file = file;
     pass.body.first_line = line_of(close);
     const std::string_view body = text.substr(close + 2);
-    pass.body.text = Includes(find_include, errors).resolve(body, file, pass.body.first_line, pass.body.includes);
+    pass.body.text = Includes(find_include, errors).resolve(body, {file, pass.body.first_line, column_of(close + 2)}, pass.body.includes);
     const auto tokens = scan_glsl(pass.body.text, pass.body.first_line, column_of(close + 2));
     pass.body.globals = global_names(tokens);
     pass.body.macros = macro_names(tokens);
