@@ -1,0 +1,117 @@
+// A pass's declaration as a JSON object.
+#include <cmath>
+#include <string_view>
+
+#include "tool/pass_pages.hpp"
+
+namespace passgraph::tool {
+namespace {
+
+using Object = nlohmann::ordered_json;
+
+constexpr std::string_view kWraps[] = {"clamp", "mirror", "repeat"};
+constexpr std::string_view kOvers[] = {"image", "sphere", "scene"};
+
+Object numbers_json(const Value& value, int components)
+{
+    if (components == 1)
+        return value.v[0];
+    return std::vector<double>(value.v.begin(), value.v.begin() + components);
+}
+
+Object bound_json(double bound) { return std::isfinite(bound) ? Object(bound) : Object(nullptr); }
+
+Object input_json(const InputPort& port)
+{
+    Object json = {{"name", port.name}, {"over", kOvers[static_cast<size_t>(port.over)]}};
+    if (port.over == Over::scene)
+        return json;
+    json["signal"] = info(port.signal).name;
+    json["filter"] = port.filter == Filter::linear ? "linear" : "nearest";
+    json["wrap"] = kWraps[static_cast<size_t>(port.wrap)];
+    json["levels"] = port.has_levels;
+    json["optional"] = port.is_optional;
+    json["default"] = port.is_optional ? numbers_json(port.default_value, info(port.signal).components) : Object(nullptr);
+    json["access"] = to_text(port.access);
+    return json;
+}
+
+Object output_json(const OutputPort& port)
+{
+    Object json = {{"name", port.name}, {"signal", info(port.signal).name}};
+    json["size"] = port.texels ? Object{{"texels", *port.texels}}
+                               : Object{{"of", port.size_of}, {"scale", Object::array({port.scale.p, port.scale.q})}};
+    return json;
+}
+
+Object param_json(const Param& param)
+{
+    Object json = {{"name", param.name}, {"type", name(param.type)}};
+    json["default"] = numbers_json(param.default_value, component_count(param.type));
+    if (param.type == ParamType::bool_)
+        json["default"] = param.default_value.v[0] != 0.0;
+    if (param.type == ParamType::enum_) {
+        json["default"] = param.items.at(static_cast<size_t>(param.default_value.v[0]));
+        json["items"] = param.items;
+    }
+    json["range"] = Object::array({bound_json(param.lowest), bound_json(param.highest)});
+    json["step"] = param.step;
+    json["scale"] = param.is_logarithmic ? "log" : "linear";
+    json["static"] = param.is_static;
+    json["unit"] = param.unit;
+    json["label"] = param.label;
+    json["group"] = param.group;
+    json["visible_if"] = param.visible_if;
+    return json;
+}
+
+Object layout_json(const Layout& layout)
+{
+    Object codecs = Object::object();
+    for (const auto& [output, codec] : layout.codecs)
+        codecs[output] = codec;
+    return {{"name", layout.name}, {"codecs", codecs}};
+}
+
+} // namespace
+
+nlohmann::ordered_json pass_json(const PassDeclaration& pass)
+{
+    Object json = {{"name", pass.name},
+                   {"family", pass.family},
+                   {"summary", pass.summary},
+                   {"kind", pass.composite ? "composite" : pass.kind == PassKind::geometry ? "geometry" : "image"},
+                   {"source", pass.source},
+                   {"file", pass.file}};
+    for (const char* list : {"reads", "inputs", "outputs", "params", "choices", "ladders", "layouts"})
+        json[list] = Object::array();
+    const std::pair<bool, const char*> reads[] = {
+        {pass.reads.camera, "camera"}, {pass.reads.lights, "lights"}, {pass.reads.frame, "frame"}, {pass.reads.elements, "elements"}};
+    for (const auto& [is_read, what] : reads)
+        if (is_read)
+            json["reads"].push_back(what);
+    for (const InputPort& port : pass.inputs)
+        json["inputs"].push_back(input_json(port));
+    for (const OutputPort& port : pass.outputs)
+        json["outputs"].push_back(output_json(port));
+    for (const Param& param : pass.params)
+        json["params"].push_back(param_json(param));
+    for (const Selection& selection : pass.selections) {
+        // The selection called `layout` is a choice between the rows of "layouts".
+        const char* list = selection.kind == Selection::Kind::ladder ? "ladders" : "choices";
+        json[list].push_back({{"name", selection.name},
+                              {"items", selection.items},
+                              {"default", selection.items.at(static_cast<size_t>(selection.default_item))}});
+    }
+    for (const Layout& layout : pass.layouts)
+        json["layouts"].push_back(layout_json(layout));
+    json["identity"] = pass.identity_when.empty() ? Object(nullptr) : Object{{"when", pass.identity_when}, {"is", pass.identity_is}};
+    return json;
+}
+
+std::string json_text(const nlohmann::ordered_json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+} // namespace passgraph::tool
