@@ -11,7 +11,7 @@ struct Component {
     enum class Kind {
         unknown,
         number, ///< in [lowest, highest]
-        texels, ///< within `highest` texels of `input` either way
+        texels, ///< within `highest` texels of `input` either way, along `axis`
         place,  ///< uv[axis], off by at most `highest` texels of `input` (0: exactly)
     };
     Kind kind = Kind::unknown;
@@ -22,7 +22,7 @@ struct Component {
 
     static Component unknown() { return {}; }
     static Component number(double lowest, double highest) { return {Kind::number, lowest, highest, 0, -1}; }
-    static Component texels(double radius, int input) { return {Kind::texels, -radius, radius, 0, input}; }
+    static Component texels(double radius, int input, int axis) { return {Kind::texels, -radius, radius, axis, input}; }
     static Component uv(int axis) { return {Kind::place, 0.0, 0.0, axis, -1}; }
     friend bool operator==(const Component&, const Component&) = default;
 };
@@ -35,6 +35,19 @@ Component add(const Component& a, const Component& b);
 Component negate(const Component& a);
 Component multiply(const Component& a, const Component& b);
 Component divide(const Component& a, const Component& b);
+Component clamped(const Component& a, const Component& lowest, const Component& highest);
+
+/// What an interval becomes in binary32: its ends rounded outwards; unknown beyond the largest number.
+Component as_float(const Component& a);
+/// What an interval becomes in 32 bits: cut to whole numbers towards 0; unknown where it would wrap.
+Component as_integer(const Component& a, bool is_signed);
+
+/// Applies a rising function to both ends of an interval.
+template <class Function>
+Component map_ends(const Component& a, const Function& function)
+{
+    return a.kind == Component::Kind::number ? Component::number(function(a.lowest), function(a.highest)) : Component::unknown();
+}
 
 /// Applies an operation component by component; a scalar meets every component of the other.
 template <class Operation>

@@ -7,82 +7,34 @@
 #include <fmt/format.h>
 
 #include "core/glsl/assemble.hpp"
+#include "core/glsl/module_text.hpp"
+#include "core/pass/glsl_scan.hpp"
 #include "passgraph/core/glsl_interface.hpp"
 #include "shader/glslang_parse.hpp"
 #include "shader/interpreter.hpp"
 #include "shader/tree.hpp"
+#include "shader/variants.hpp"
 
 namespace passgraph::shader {
 namespace {
 
-/// Selections and static values under which a body may differ: each is parsed and analysed.
-struct Variant {
-    std::vector<int> selections;
-    std::vector<Value> statics; ///< as pass.params
-};
-
-constexpr size_t kMostVariants = 256;
-
-std::vector<Value> candidate_values(const Param& param)
+void add_globals(const GlslText& text, std::vector<std::string>& names)
 {
-    std::vector<Value> values = {param.default_value};
-    if (!param.is_static)
-        return values;
-    if (param.type == ParamType::bool_)
-        return {Value(0.0), Value(1.0)};
-    if (param.type == ParamType::enum_) {
-        values.clear();
-        for (size_t i = 0; i < param.items.size(); ++i)
-            values.emplace_back(static_cast<double>(i));
-        return values;
-    }
-    for (const double end : {param.lowest, param.highest})
-        if (std::isfinite(end))
-            values.emplace_back(end, end, end, end);
-    return values;
+    names.insert(names.end(), text.globals.begin(), text.globals.end());
+    for (const auto& include : text.includes)
+        add_globals(*include, names);
 }
 
-/// Every combination when there are few; else each setting varied alone around the defaults.
-std::vector<Variant> variants_of(const PassDeclaration& pass)
+/// The name an author knows: those of common files carry a prefix, c3_name, in the text that is checked.
+std::string plain_name(const std::string& name, const GlslText& body)
 {
-    Variant defaults;
-    std::vector<size_t> counts;
-    for (const Selection& selection : pass.selections) {
-        defaults.selections.push_back(selection.default_item);
-        counts.push_back(selection.kind == Selection::Kind::layout ? 1 : selection.items.size());
-    }
-    std::vector<std::vector<Value>> values;
-    for (const Param& param : pass.params) {
-        defaults.statics.push_back(param.default_value);
-        values.push_back(candidate_values(param));
-        counts.push_back(values.back().size());
-    }
-    const auto set = [&](Variant& variant, size_t setting, size_t item) {
-        if (setting < pass.selections.size())
-            variant.selections[setting] = static_cast<int>(item);
-        else
-            variant.statics[setting - pass.selections.size()] = values[setting - pass.selections.size()][item];
-    };
-    size_t product = 1;
-    for (const size_t count : counts)
-        product = std::min(product * std::max<size_t>(count, 1), kMostVariants + 1);
-    std::vector<Variant> variants = {defaults};
-    if (product > kMostVariants) {
-        for (size_t setting = 0; setting < counts.size(); ++setting)
-            for (size_t item = 0; counts[setting] > 1 && item < counts[setting]; ++item)
-                set(variants.emplace_back(defaults), setting, item);
-        return variants;
-    }
-    for (size_t setting = 0; setting < counts.size(); ++setting) {
-        if (counts[setting] < 2)
-            continue;
-        std::vector<Variant> grown;
-        for (const Variant& variant : variants)
-            for (size_t item = 0; item < counts[setting]; ++item)
-                set(grown.emplace_back(variant), setting, item);
-        variants = std::move(grown);
-    }
-    return variants;
+    const size_t end = name.find_first_not_of("0123456789", 1);
+    if (!name.starts_with('c') || end == std::string::npos || end == 1 || name[end] != '_')
+        return name;
+    std::vector<std::string> known;
+    add_globals(body, known);
+    const std::string plain = name.substr(end + 1);
+    return std::find(known.begin(), known.end(), plain) == known.end() ? name : plain;
 }
 
 /// Turns glslang's "'glow' : no matching overloaded function found" into what the author forgot in the header.
@@ -90,7 +42,9 @@ void explain(Error& error, const PassDeclaration& pass)
 {
     if (!error.message.starts_with('\''))
         return;
-    const std::string name = error.message.substr(1, error.message.find('\'', 1) - 1);
+    const std::string renamed = error.message.substr(1, error.message.find('\'', 1) - 1);
+    const std::string name = plain_name(renamed, pass.body);
+    error.message.replace(1, renamed.size(), name);
     const bool is_unknown_call = error.message.find("no matching overloaded function") != std::string::npos;
     const bool is_unknown_name = error.message.find("undeclared identifier") != std::string::npos;
     if (!is_unknown_call && !is_unknown_name)
@@ -102,7 +56,8 @@ void explain(Error& error, const PassDeclaration& pass)
             return;
         }
     }
-    const auto& globals = pass.body.globals;
+    std::vector<std::string> globals;
+    add_globals(pass.body, globals);
     if (is_unknown_call && std::find(globals.begin(), globals.end(), name) == globals.end() && pass.find_input(name) < 0) {
         error.code = "undeclared_input";
         error.message = fmt::format("`{}` is called, but no input or function has that name", name);
@@ -116,6 +71,23 @@ void explain(Error& error, const PassDeclaration& pass)
     } else {
         error.hint = fmt::format("`{}` takes other arguments: inputs are called with one vec2", name);
     }
+}
+
+/// Whether the preprocessor leaves the same text in every program: names are renamed there, and extensions differ.
+bool is_same_everywhere(const GlslText& text)
+{
+    const auto is_own = [&](std::string_view name) { return std::find(text.macros.begin(), text.macros.end(), name) != text.macros.end(); };
+    const auto varies = [](std::string_view name) { return name.starts_with("__") || name.starts_with("GL_"); };
+    for (const GlslToken& token : scan_glsl(text.text, 1, 1)) {
+        const auto words = token.is_directive ? scan_glsl(token.text.substr(1), 1, 1) : std::vector<GlslToken>{token};
+        bool asks = false;
+        for (const GlslToken& word : words) {
+            if (varies(word.text) || (asks && word.is_identifier && !is_own(word.text)))
+                return false;
+            asks = word.text == "ifdef" || word.text == "ifndef" || word.text == "defined" || (asks && word.text == "(");
+        }
+    }
+    return std::all_of(text.includes.begin(), text.includes.end(), [](const auto& include) { return is_same_everywhere(*include); });
 }
 
 std::string signature(const PassDeclaration& pass)
@@ -134,16 +106,20 @@ struct Entry {
     std::string mangled;
     std::string text; ///< as an author writes it
     bool has_uv = false;
+    std::vector<std::string> outs{}; ///< names, in order; empty: of any name
 };
 
 std::vector<Entry> entries_of(const PassDeclaration& pass)
 {
     if (pass.kind == PassKind::image) {
-        std::string mangled = pass.name + "(vf2;";
-        if (pass.outputs.size() > 1)
-            for (const OutputPort& port : pass.outputs)
-                mangled += mangled_out(info(port.signal).components);
-        return {{mangled, signature(pass), true}};
+        Entry entry{pass.name + "(vf2;", signature(pass), true};
+        for (const OutputPort& port : pass.outputs) {
+            if (pass.outputs.size() == 1)
+                break;
+            entry.mangled += mangled_out(info(port.signal).components);
+            entry.outs.push_back(port.name);
+        }
+        return {entry};
     }
     Entry vertex{pass.name + "_vertex(vf3;vf3;vf2;vf3;vf3;vf2;",
                  fmt::format("void {}_vertex(vec3 position, vec3 normal, vec2 texcoord, out vec3 placed, out vec3 facing, out vec2 uv)", pass.name)};
@@ -152,19 +128,30 @@ std::vector<Entry> entries_of(const PassDeclaration& pass)
         if (port.signal == Signal::depth)
             continue;
         surface.mangled += mangled_out(info(port.signal).components);
+        surface.outs.push_back(port.name);
         surface.text += fmt::format(", out {} {}", glsl_type(info(port.signal).components), port.name);
     }
     surface.text += ")";
     return {vertex, surface};
 }
 
-bool has_right_shape(const PassDeclaration& pass, const glslang::TIntermAggregate& function)
+/// glslang's names of functions say neither result, nor which parameters are out, nor their names.
+bool has_right_shape(const PassDeclaration& pass, const Entry& entry, const glslang::TIntermAggregate& function)
 {
-    const bool returns = pass.kind == PassKind::image && pass.outputs.size() == 1;
-    if (!returns)
-        return function.getType().getBasicType() == glslang::EbtVoid;
+    const bool is_image = pass.kind == PassKind::image;
     const auto& type = function.getType();
-    return type.getBasicType() == glslang::EbtFloat && static_cast<int>(width_of(type)) == info(pass.outputs.front().signal).components;
+    std::vector<std::string> outs;
+    for (const glslang::TIntermSymbol* parameter : parameters_of(function)) {
+        if (parameter->getQualifier().storage == glslang::EvqInOut)
+            return false;
+        if (is_out(*parameter))
+            outs.emplace_back(parameter->getName().c_str());
+    }
+    if (is_image && pass.outputs.size() == 1) {
+        const bool is_vector = type.getBasicType() == glslang::EbtFloat && !type.isMatrix() && !type.isArray();
+        return outs.empty() && is_vector && static_cast<int>(width_of(type)) == info(pass.outputs.front().signal).components;
+    }
+    return type.getBasicType() == glslang::EbtVoid && (entry.outs.empty() ? outs.size() == 3 : outs == entry.outs);
 }
 
 class Check {
@@ -173,10 +160,18 @@ public:
 
     Result<void> run()
     {
-        for (const Variant& variant : variants_of(pass_)) {
-            check_variant(variant);
-            if (errors_.size() > 20)
-                break;
+        check_includes();
+        const auto selections = selections_of(pass_);
+        const auto statics = statics_of(pass_);
+        bool is_complete = selections.is_complete && is_same_everywhere(pass_.body);
+        for (const auto& selection : selections.all) {
+            // With its static values unknown but in range, a body is analysed for all of them at once. Where it needs
+            // constants (an array's size), the ends of their ranges stand for them.
+            const bool is_followed = !statics.all.front().empty() && read_live(selection);
+            is_complete = is_complete && (is_followed || statics.is_complete);
+            for (const auto& values : statics.all)
+                if (errors_.size() <= 20)
+                    check_variant(selection, values, !is_followed);
         }
         if (errors_.empty())
             report_unused();
@@ -184,7 +179,7 @@ public:
             return tl::unexpected(std::move(errors_));
         for (size_t i = 0; i < pass_.inputs.size(); ++i)
             if (pass_.inputs[i].over != Over::scene)
-                pass_.inputs[i].access = access_[i].value_or(Access{AccessClass::size_only, 0});
+                pass_.inputs[i].access = is_complete ? access_[i].value_or(Access{AccessClass::size_only, 0}) : Access{};
         return {};
     }
 
@@ -199,13 +194,54 @@ private:
             errors_.push_back(std::move(error));
     }
 
-    void check_variant(const Variant& variant)
+    /// Common files hold pure functions: they must stand without the pass's inputs and parameters.
+    void check_includes()
+    {
+        if (pass_.body.includes.empty())
+            return;
+        std::vector<std::string> sources;
+        glsl::ProgramText program(sources);
+        program.add_line("#version 330 core");
+        program.add(glsl::accessors(pass_.reads, pass_.kind));
+        GlslText all;
+        all.includes = pass_.body.includes;
+        program.add_module(all, "", {});
+        program.add_line("void main() {}");
+        if (const auto parsed = ParsedShader::parse(program.take(), sources); !parsed)
+            for (Error error : parsed.error()) {
+                if (error.message.find("no matching") != std::string::npos || error.message.find("undeclared") != std::string::npos)
+                    error.hint = "a common file sees no input or parameter: hand it what it needs as an argument";
+                report(std::move(error));
+            }
+    }
+
+    bool read_live(const std::vector<int>& selections)
+    {
+        PassDeclaration live = pass_;
+        for (Param& param : live.params)
+            param.is_static = false;
+        std::vector<std::string> sources;
+        const auto parsed = ParsedShader::parse(glsl::standalone_text(live, selections, sources), sources);
+        if (!parsed)
+            return false;
+        for (const Entry& entry : entries_of(pass_)) {
+            Interpreter interpreter(pass_, parsed->root());
+            if (!interpreter.has_function(entry.mangled))
+                return false;
+            const auto result = interpreter.run(entry.mangled, entry.has_uv);
+            for (size_t i = 0; i < result.readings.size(); ++i)
+                join_reading(i, result.readings[i]);
+        }
+        return true;
+    }
+
+    void check_variant(const std::vector<int>& selections, const std::vector<Value>& statics, bool is_access_due)
     {
         PassDeclaration standing = pass_;
-        for (size_t i = 0; i < standing.params.size(); ++i)
-            standing.params[i].default_value = variant.statics[i];
+        for (size_t i = 0; i < statics.size(); ++i)
+            standing.params[i].default_value = statics[i];
         std::vector<std::string> sources;
-        const std::string text = glsl::standalone_text(standing, variant.selections, sources);
+        const std::string text = glsl::standalone_text(standing, selections, sources);
         const auto parsed = ParsedShader::parse(text, sources);
         if (!parsed) {
             for (Error error : parsed.error()) {
@@ -215,10 +251,10 @@ private:
             return;
         }
         for (const Entry& entry : entries_of(pass_))
-            check_entry(entry, parsed->root());
+            check_entry(entry, parsed->root(), is_access_due);
     }
 
-    void check_entry(const Entry& entry, TIntermNode* root)
+    void check_entry(const Entry& entry, TIntermNode* root, bool is_access_due)
     {
         Interpreter interpreter(pass_, root);
         const std::string name = entry.mangled.substr(0, entry.mangled.find('('));
@@ -229,17 +265,22 @@ private:
             return;
         }
         const Location where{pass_.file, interpreter.function(overloads.front())->getLoc().line, 0};
-        if (!interpreter.has_function(entry.mangled) || !has_right_shape(pass_, *interpreter.function(entry.mangled))) {
+        if (!interpreter.has_function(entry.mangled) || !has_right_shape(pass_, entry, *interpreter.function(entry.mangled))) {
             report({"entry_signature", fmt::format("`{}` has the wrong parameters or result", name), "write: " + entry.text, where});
             return;
         }
         const auto result = interpreter.run(entry.mangled, entry.has_uv);
+        for (const std::string& mangled : result.recursive) {
+            const std::string called = mangled.substr(0, mangled.find('('));
+            report({"glsl_error", fmt::format("`{}` calls itself", called), "GLSL has no recursion: write a loop",
+                    {pass_.file, interpreter.function(mangled)->getLoc().line, 0}});
+        }
         for (const std::string& output : result.unwritten) {
             report({"output_unwritten", output.empty() ? fmt::format("`{}` does not return a value on every path", name)
                                                        : fmt::format("the output `{}` is not assigned on every path", output),
                     output.empty() ? "return a value at its end" : fmt::format("assign {} before the first branch", output), where});
         }
-        for (size_t i = 0; i < result.readings.size(); ++i)
+        for (size_t i = 0; is_access_due && i < result.readings.size(); ++i)
             join_reading(i, result.readings[i]);
     }
 

@@ -1,6 +1,7 @@
 // Makes the functions of a file stand before a GLSL expression, and finds the expression's type.
 #include "passgraph/shader/expression.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -75,13 +76,13 @@ Result<int> expression_components(const ExpressionScope& scope, const std::strin
     for (const std::string& column : columns)
         head += fmt::format("    float {} = 0.0;\n", column);
     Errors first;
-    const std::vector<std::string> tries = {"float passgraph_value = float({});", "vec2 passgraph_value = {};", "vec3 passgraph_value = {};", "vec4 passgraph_value = {};"};
-    // A vector can be made a float, so the widest type that fits exactly is looked for first.
-    for (int components = 4; components >= 1; --components) {
-        const std::string statement = fmt::format(fmt::runtime(tries[static_cast<size_t>(components) - 1]), expression);
+    const std::vector<std::string> tries = {"bool passgraph_value = {};", "float passgraph_value = {};", "vec2 passgraph_value = {};", "vec3 passgraph_value = {};", "vec4 passgraph_value = {};"};
+    // Only integers become floats by themselves, so one type fits; a boolean is a number, too.
+    for (int components = 4; components >= 0; --components) {
+        const std::string statement = fmt::format(fmt::runtime(tries[static_cast<size_t>(components)]), expression);
         const auto parsed = shader::ParsedShader::parse(head + "#line 1 0\n" + statement + "\n}\n", scope.sources);
         if (parsed)
-            return components;
+            return std::max(components, 1);
         first = parsed.error();
     }
     for (Error& error : first)

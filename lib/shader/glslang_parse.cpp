@@ -43,8 +43,10 @@ Errors errors_of(const std::string& log, const std::vector<std::string>& sources
         message.erase(0, message.find_first_not_of(' '));
         if (message.find("compilation terminated") != std::string::npos)
             continue;
-        Location where{source < sources.size() ? sources[source] : "generated", to_int(rest.substr(first + 1, second - first - 1)), 0};
-        errors.push_back({"glsl_error", std::move(message), "", std::move(where)});
+        const Location where{source < sources.size() ? sources[source] : "generated", to_int(rest.substr(first + 1, second - first - 1)), 0};
+        // What follows on the same line follows from its first mistake.
+        if (errors.empty() || errors.back().where != where)
+            errors.push_back({"glsl_error", std::move(message), "", where});
     }
     if (errors.empty())
         errors.push_back({"glsl_error", "glslang refused the text", log});
@@ -61,7 +63,7 @@ Result<ParsedShader> ParsedShader::parse(const std::string& text, const std::vec
     parsed.shader_ = std::make_shared<glslang::TShader>(EShLangFragment);
     const char* strings[] = {text.c_str()};
     parsed.shader_->setStrings(strings, 1);
-    if (!parsed.shader_->parse(GetDefaultResources(), kVersion, ECoreProfile, false, false, EShMsgDefault))
+    if (!parsed.shader_->parse(GetDefaultResources(), kVersion, ECoreProfile, false, false, EShMsgCascadingErrors))
         return tl::unexpected(errors_of(parsed.shader_->getInfoLog(), sources));
     return parsed;
 }

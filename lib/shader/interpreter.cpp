@@ -13,7 +13,8 @@ using namespace glslang;
 namespace {
 
 /// Beyond this a pass is too large to follow: its reads then count as unknown, never as something better.
-constexpr int kMostSteps = 400000;
+constexpr int kMostSteps = 100000;
+constexpr size_t kDeepestCall = 100;
 
 unsigned all_components(const TType& type)
 {
@@ -25,7 +26,8 @@ unsigned all_components(const TType& type)
 Access access_of(const Reading& reading)
 {
     const int bounded = reading.at_pixel + reading.near_pixel;
-    if (reading.is_unbounded || reading.computed > 1 || (reading.computed == 1 && bounded > 0))
+    constexpr double kWidestRadius = 65536.0; // no picture is wider
+    if (reading.is_unbounded || reading.computed > 1 || (reading.computed == 1 && bounded > 0) || reading.radius > kWidestRadius)
         return {AccessClass::gather, Access::kUnknownRadius};
     if (reading.computed == 1)
         return {AccessClass::warp, Access::kUnknownRadius};
@@ -80,7 +82,7 @@ Interpreter::Result Interpreter::run(const std::string& function, bool has_uv)
         if (is_out(*parameter))
             now_.written[parameter->getId()] = 0;
     }
-    frames_.push_back({});
+    frames_.push_back({&entry, {}, {}});
     const std::vector<TIntermSymbol*> parameters = parameters_of(entry);
     for (size_t i = 0; i < parameters.size(); ++i)
         now_.values[parameters[i]->getId()] = arguments[i];
@@ -88,6 +90,7 @@ Interpreter::Result Interpreter::run(const std::string& function, bool has_uv)
         run_statement(entry.getSequence()[1]);
 
     Result result;
+    result.recursive = recursive_;
     const bool returns_value = entry.getType().getBasicType() != EbtVoid;
     if (now_.is_reachable && returns_value)
         result.unwritten.emplace_back("");
@@ -103,6 +106,8 @@ Interpreter::Result Interpreter::run(const std::string& function, bool has_uv)
             result.unwritten.emplace_back(parameter->getName().c_str());
     }
     frames_.pop_back();
+    if (steps_ > kMostSteps)
+        result.unwritten.clear(); // what was not followed is not blamed
     result.readings = readings_;
     return result;
 }
@@ -162,9 +167,18 @@ void Interpreter::run_selection(TIntermSelection& node)
 
 void Interpreter::forget_assigned(TIntermNode* node)
 {
-    for (TIntermNode* place : assigned_places(node))
-        if (const TIntermSymbol* symbol = base_symbol(place))
-            now_.values[symbol->getId()] = unknown_of(symbol->getType());
+    for (const TIntermSymbol* symbol : assigned_symbols(node))
+        now_.values[symbol->getId()] = unknown_of(symbol->getType());
+}
+
+const std::vector<TIntermSymbol*>& Interpreter::assigned_symbols(TIntermNode* node)
+{
+    const auto [entry, is_new] = assigned_.try_emplace(node);
+    if (is_new)
+        for (TIntermNode* place : assigned_places(node))
+            if (TIntermSymbol* symbol = base_symbol(place))
+                entry->second.push_back(symbol);
+    return entry->second;
 }
 
 /// Recognises `for (int i = A; i < B; ++i)` with known A and B: the counter is then known to lie between them.
@@ -179,11 +193,13 @@ bool Interpreter::bind_counter(TIntermLoop& loop, const Environment& before)
     const TIntermUnary* step = loop.getTerminal()->getAsUnaryNode();
     const bool steps_up = step && (step->getOp() == EOpPreIncrement || step->getOp() == EOpPostIncrement);
     const bool steps_down = step && (step->getOp() == EOpPreDecrement || step->getOp() == EOpPostDecrement);
-    if (!(rises && steps_up) && !(falls && steps_down))
+    const bool wraps = falls && counter->getType().getBasicType() == EbtUint; // below 0
+    if ((!(rises && steps_up) && !(falls && steps_down)) || wraps)
         return false;
-    for (TIntermNode* place : assigned_places(loop.getBody()))
-        if (const TIntermSymbol* symbol = base_symbol(place); symbol && symbol->getId() == counter->getId())
-            return false;
+    for (TIntermNode* part : {loop.getBody(), static_cast<TIntermNode*>(loop.getTest())})
+        for (const TIntermSymbol* symbol : assigned_symbols(part))
+            if (symbol->getId() == counter->getId())
+                return false;
     const auto start = before.values.find(counter->getId());
     const AbstractValue bound = evaluate(test->getRight());
     if (start == before.values.end() || start->second.front().kind != Component::Kind::number || bound.front().kind != Component::Kind::number)
@@ -211,10 +227,14 @@ void Interpreter::run_loop(TIntermLoop& node)
     std::vector<Environment> left;
     breaks_.push_back(&left);
     ++loop_depth_;
-    if (node.getTest())
+    const Environment head = now_;
+    if (node.getTest() && node.testFirst())
         evaluate(node.getTest());
     run_statement(node.getBody());
-    if (node.getTerminal() && now_.is_reachable)
+    now_ = head; // the body may have ended by `continue`
+    if (node.getTest() && !node.testFirst())
+        evaluate(node.getTest());
+    if (node.getTerminal())
         evaluate(node.getTerminal());
     --loop_depth_;
     breaks_.pop_back();
@@ -267,10 +287,17 @@ void Interpreter::run_branch(TIntermBranch& node)
 AbstractValue Interpreter::enter(const TIntermAggregate& function, const std::vector<AbstractValue>& arguments,
                                  const std::vector<TIntermNode*>& places)
 {
+    const bool is_recursive = std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) { return frame.function == &function; });
+    if (is_recursive)
+        recursive_.emplace_back(function.getName().c_str());
+    if (is_recursive || frames_.size() > kDeepestCall) {
+        give_up();
+        return unknown_of(function.getType());
+    }
     const std::vector<TIntermSymbol*> parameters = parameters_of(function);
     std::vector<std::vector<Environment>*> outer_breaks;
     std::swap(outer_breaks, breaks_);
-    frames_.push_back({});
+    frames_.push_back({&function, {}, {}});
     for (size_t i = 0; i < parameters.size(); ++i) {
         now_.values[parameters[i]->getId()] = i < arguments.size() ? arguments[i] : unknown_of(parameters[i]->getType());
         if (is_out(*parameters[i]))
@@ -283,12 +310,7 @@ AbstractValue Interpreter::enter(const TIntermAggregate& function, const std::ve
     std::swap(outer_breaks, breaks_);
     frame.exits.push_back(now_);
     now_ = join_environments(frame.exits);
-    for (size_t i = 0; i < parameters.size() && i < places.size(); ++i) {
-        if (!is_out(*parameters[i]) || !now_.is_reachable)
-            continue;
-        if (now_.written[parameters[i]->getId()] == all_components(parameters[i]->getType()))
-            assign(places[i], now_.values[parameters[i]->getId()]);
-    }
+    copy_out(function, places);
     if (frame.results.empty())
         return unknown_of(function.getType());
     AbstractValue result = frame.results.front();
@@ -297,11 +319,40 @@ AbstractValue Interpreter::enter(const TIntermAggregate& function, const std::ve
     return result;
 }
 
+/// What a call leaves in the places that were given for its out parameters.
+void Interpreter::copy_out(const TIntermAggregate& function, const std::vector<TIntermNode*>& places)
+{
+    const std::vector<TIntermSymbol*> parameters = parameters_of(function);
+    std::vector<long long> seen;
+    for (size_t i = 0; i < parameters.size() && i < places.size() && now_.is_reachable; ++i) {
+        const TIntermSymbol* base = base_symbol(places[i]);
+        if (!is_out(*parameters[i]) || !base)
+            continue;
+        const long long id = parameters[i]->getId();
+        const auto value = now_.values.find(id);
+        // GLSL does not say in which order one variable gets the results of two parameters.
+        const bool is_second = std::find(seen.begin(), seen.end(), base->getId()) != seen.end();
+        const bool is_complete = now_.written[id] == all_components(parameters[i]->getType());
+        const AbstractValue unknown = unknown_of(parameters[i]->getType());
+        assign(places[i], value == now_.values.end() || is_second ? unknown : AbstractValue(value->second), is_complete);
+        if (is_second)
+            now_.values[base->getId()] = unknown_of(base->getType());
+        seen.push_back(base->getId());
+    }
+}
+
+/// From here on nothing is followed: every input may be read anywhere.
+void Interpreter::give_up()
+{
+    steps_ = kMostSteps + 1;
+    for (Reading& reading : readings_)
+        reading.is_unbounded = true;
+}
+
 AbstractValue Interpreter::evaluate(TIntermNode* node)
 {
     if (++steps_ > kMostSteps) {
-        for (Reading& reading : readings_)
-            reading.is_unbounded = true;
+        give_up();
         return {Component::unknown()};
     }
     if (TIntermConstantUnion* constant = node->getAsConstantUnion())

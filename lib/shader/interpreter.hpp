@@ -37,6 +37,7 @@ public:
     struct Result {
         std::vector<Reading> readings;          ///< as pass.inputs
         std::vector<std::string> unwritten;     ///< out parameters, or "" for a missing return value
+        std::vector<std::string> recursive;     ///< mangled names of functions that call themselves
     };
     /// Enters `function` (a mangled name); its first vec2 parameter called uv is the entry's uv when `has_uv`.
     Result run(const std::string& function, bool has_uv);
@@ -53,6 +54,7 @@ private:
         bool is_reachable = true;
     };
     struct Frame {
+        const glslang::TIntermAggregate* function = nullptr;
         std::vector<AbstractValue> results;
         std::vector<Environment> exits;
     };
@@ -70,19 +72,24 @@ private:
     bool bind_counter(glslang::TIntermLoop& loop, const Environment& before);
 
     AbstractValue evaluate(TIntermNode* node);
+    AbstractValue evaluate_beside(TIntermNode* operand, const std::vector<TIntermNode*>& others);
     AbstractValue evaluate_symbol(const glslang::TIntermSymbol& symbol);
     AbstractValue evaluate_unary(glslang::TIntermUnary& node);
     AbstractValue evaluate_binary(glslang::TIntermBinary& node);
     AbstractValue evaluate_assignment(glslang::TIntermBinary& node);
+    AbstractValue evaluate_builtin(glslang::TIntermAggregate& node);
     AbstractValue evaluate_aggregate(glslang::TIntermAggregate& node);
     AbstractValue evaluate_construction(glslang::TIntermAggregate& node);
     AbstractValue evaluate_selection(glslang::TIntermSelection& node);
     AbstractValue call(glslang::TIntermAggregate& node);
     AbstractValue enter(const glslang::TIntermAggregate& function, const std::vector<AbstractValue>& arguments,
                         const std::vector<TIntermNode*>& places);
-    AbstractValue record(const Accessor& accessor, const std::vector<AbstractValue>& arguments);
-    void assign(TIntermNode* place, const AbstractValue& value);
+    AbstractValue record(const Accessor& accessor, const std::vector<AbstractValue>& arguments, const glslang::TType& type);
+    void assign(TIntermNode* place, const AbstractValue& value, bool counts_as_written = true);
+    void copy_out(const glslang::TIntermAggregate& function, const std::vector<TIntermNode*>& places);
     void forget_assigned(TIntermNode* node);
+    const std::vector<glslang::TIntermSymbol*>& assigned_symbols(TIntermNode* node);
+    void give_up();
 
     static Environment join_environments(const std::vector<Environment>& environments);
 
@@ -94,6 +101,8 @@ private:
     std::vector<Frame> frames_;
     std::vector<std::vector<Environment>*> breaks_;
     std::vector<Reading> readings_;
+    std::map<TIntermNode*, std::vector<glslang::TIntermSymbol*>> assigned_; ///< once looked for
+    std::vector<std::string> recursive_;
     int loop_depth_ = 0;
     int steps_ = 0;
 };
