@@ -109,8 +109,10 @@ TEST_CASE("the night stack is green, darker towards the corners, and never negat
     const auto corner = mean(night, 0.0, 0.0, 0.04, 0.04);
     const auto corner_before = mean(bloom, 0.0, 0.0, 0.04, 0.04);
     CHECK(corner[1] <= 0.02 + 0.1 * corner_before[1]);
-    for (const float value : night.texels)
-        CHECK((value >= 0.0f && value <= 1.0f));
+    for (const float value : night.texels) {
+        CHECK(value >= 0.0f);
+        CHECK(value <= 1.0f);
+    }
 }
 
 TEST_CASE("the demo creates no GL object after its first frame, and its frames are equal", "[graphs][demo]")
@@ -133,8 +135,10 @@ TEST_CASE("the demo survives the smallest and oddest extents", "[graphs][demo]")
 {
     for (const Extent extent : {Extent{1, 1}, Extent{1, 64}, Extent{64, 1}, Extent{17, 13}})
         for (const char* name : {"bloom.graph.json", "pixelated.graph.json", "night.graph.json"})
-            for (const float value : demo_picture(name, extent).texels)
-                CHECK((value >= 0.0f && value <= 1.0f));
+            for (const Picture picture = demo_picture(name, extent); const float value : picture.texels) {
+                CHECK(value >= 0.0f);
+                CHECK(value <= 1.0f);
+            }
 }
 
 TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][demo]")
