@@ -16,7 +16,5 @@
 vec3 bright(vec2 uv)
 {
     vec3 seen = image(uv);
-    float brightness = luminance(seen); // of all channels together, so that the hue is kept
-    float kept = above_threshold(brightness, threshold, knee);
-    return brightness > 0.0 ? seen * (kept / brightness) : vec3(0.0);
+    return seen * share_above_threshold(luminance(seen), threshold, knee); // one share for all channels keeps the hue
 }

@@ -16,10 +16,11 @@ struct Surface {
 };
 
 /// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15: F = f0 + (1 - f0) * weight.
-/// Multiplications, because pow(x, 5) is 31 ulp off on llvmpipe and undefined once the cosine rounds above 1.
+/// Multiplications, because pow(x, 5) is 31 ulp off on llvmpipe and undefined once the cosine rounds above 1; there the
+/// product is -1e-35, which is nothing.
 float fresnel_weight(float cosine)
 {
-    float x = max(1.0 - cosine, 0.0);
+    float x = 1.0 - cosine;
     float x2 = x * x;
     return x2 * x2 * x;
 }
@@ -31,11 +32,13 @@ vec3 fresnel(vec3 f0, float cosine)
 
 /// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", eq. 33: D, per steradian.
 /// The textbook's 1 - cos^2 loses 9 % at roughness 0.045 to the cosine's rounding; the sine, taken from |n x h|, loses
-/// 1e-5. With cos^2 + sin^2 = 1 the bracket is never below alpha^2: that bound also covers v = -l, where h is 0.
-/// 1e-18 keeps the limit 0 of a perfect mirror (alpha 0) free of 0 / 0.
+/// 1e-5. With cos^2 + sin^2 = 1 the bracket is never below alpha^2. That bound, a comparison so that it holds for NaN too,
+/// covers v = -l, where h is 0 and its angle 0 / 0; 1e-18 gives a perfect mirror (alpha 0) its limit 0.
 float ggx_distribution(float cos_squared, float sin_squared, float alpha_squared)
 {
-    float bracket = max(cos_squared * alpha_squared + sin_squared, max(alpha_squared, 1e-18));
+    float least = max(alpha_squared, 1e-18);
+    float bracket = cos_squared * alpha_squared + sin_squared;
+    bracket = bracket > least ? bracket : least;
     return inverse_pi * alpha_squared / (bracket * bracket);
 }
 
@@ -84,7 +87,7 @@ vec3 reflected(Surface surface, vec3 n, vec3 v, vec3 l)
     float n_dot_l = max(dot(n, l), 0.0);
     float n_dot_h = dot(n, h);
     vec3 across = cross(n, h);
-    float h_squared = max(dot(h, h), 1e-12);
+    float h_squared = dot(h, h);
     float per_h = 1.0 / h_squared;
     float lobe = ggx_lobe(n_dot_l, surface.n_dot_v, n_dot_h * n_dot_h * per_h, dot(across, across) * per_h,
                           surface.alpha_squared);

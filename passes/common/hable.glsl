@@ -15,5 +15,5 @@ float hable_curve(float x, vec3 abc, vec3 def)
 float hable(float x, float white, vec3 abc, vec3 def)
 {
     float limited = x > 0.0 ? min(x, white) : 0.0;
-    return hable_curve(limited, abc, def) / hable_curve(white, abc, def);
+    return hable_curve(limited, abc, def) * (1.0 / hable_curve(white, abc, def)); // a constant where white is one
 }

@@ -9,3 +9,9 @@ float above_threshold(float brightness, float threshold, float knee)
     float rise = clamp(brightness - threshold + reach, 0.0, 2.0 * reach);
     return max(rise * rise / max(4.0 * reach, 1e-8), brightness - threshold);
 }
+
+/// That part as a share of the whole, from 0 to 1; black keeps nothing.
+float share_above_threshold(float brightness, float threshold, float knee)
+{
+    return brightness > 0.0 ? above_threshold(brightness, threshold, knee) / brightness : 0.0;
+}

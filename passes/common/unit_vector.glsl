@@ -6,6 +6,6 @@ vec3 unit_vector_or(vec3 v, vec3 fallback)
 {
     float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
     vec3 scaled = v / largest;
-    bool has_direction = largest > 1e-37 && largest <= 3.4e38 && dot(scaled, scaled) <= 3.1;
-    return has_direction ? scaled * inversesqrt(dot(scaled, scaled)) : fallback;
+    float squared = dot(scaled, scaled); // from 1 to 3 for every direction there is; no comparison holds for NaN
+    return squared > 0.9 && squared < 3.1 ? scaled * inversesqrt(squared) : fallback;
 }

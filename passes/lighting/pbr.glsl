@@ -35,7 +35,7 @@ vec3 lit_by_lamps(Surface surface, vec3 place, vec3 n, vec3 v)
 
 vec3 lit_by_sky(Surface surface, vec3 base, vec3 matter, vec3 n, vec3 v)
 {
-    vec2 share = environment_reflectance(max(matter.y, smallest_roughness), surface.n_dot_v);
+    vec2 share = environment_reflectance(matter.y, surface.n_dot_v);
     vec3 mirrored = sky(world_from_view(reflect(-v, n)), environment_lod(surface.alpha_squared, sky_top_lod()));
     vec3 around = sky(world_from_view(n), sky_top_lod());
     float entering = (1.0 - matter.z) * (1.0 - (0.08 * matter.x * share.x + share.y));
@@ -49,7 +49,7 @@ vec3 pbr(vec2 uv)
     vec3 base = albedo(uv);
     vec3 matter = material(uv); // specular, roughness, metallic
     float squared = dot(place, place);
-    vec3 v = -place * inversesqrt(max(squared, 1e-20));
+    vec3 v = -place * inversesqrt(squared); // undefined where squared is 0, and not used there
 
     Surface surface = make_surface(base, matter, dot(n, v));
     vec3 lit = lit_by_lamps(surface, place, n, v) + environment * lit_by_sky(surface, base, matter, n, v);
