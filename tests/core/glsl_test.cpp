@@ -99,13 +99,11 @@ TEST_CASE("names of each use are kept apart, and lines keep their numbers", "[co
     const Plan plan = two_gains(library, Signal::radiance);
     const std::string& text = plan.steps.front().fragment;
     for (const char* name : {"gain", "bias", "image", "image_texel", "image_size", "amount", "tint"}) {
-        CHECK(count(text, std::string("#define ") + name + " p0_" + name + "\n") == 1);
-        CHECK(count(text, std::string("#define ") + name + " p1_" + name + "\n") == 1);
-        CHECK(count(text, std::string("#undef ") + name + "\n") == 2);
+        CHECK_THAT(text, Contains(std::string("p0_") + name) && Contains(std::string("p1_") + name));
+        CHECK(count(text, std::string(" ") + name + "(") == 0);
     }
     CHECK(count(text, "#define mode 0\n#define mode_plain 0\n#define mode_fancy 1\n") == 2);
-    CHECK(count(text, "float shared_half(float x)") == 1); // an include is emitted once per step
-    CHECK(count(text, "#define shared_half c0_shared_half\n") == 3);
+    CHECK(count(text, "float c0_shared_half(float x)") == 1); // an include is emitted once per step
     CHECK(count(text, "#line 3 ") == 2); // the line of the header's end
     const auto& sources = plan.steps.front().sources;
     const auto pass = std::find(sources.begin(), sources.end(), "passes/gain.glsl");

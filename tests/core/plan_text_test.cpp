@@ -56,7 +56,7 @@ steps
   1. lift  512x256
        reads   photo (import, nearest)
        writes  lift (slot 0 rgba16f)
-       live    lift.amount: a change redraws this step and what reads it
+       live    lift.amount: a change concerns 3 of 3 steps
   2. blur  512x256
        reads   lift (slot 0, nearest)
        writes  blur (slot 1 rgba16f)

@@ -145,7 +145,7 @@ TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][de
 {
     const auto plan = compile(sample_graph("deferred_demo/bloom.graph.json"));
     REQUIRE(plan);
-    CHECK(plan->steps.size() == 6);
+    CHECK(plan->steps.size() == 7);
     CHECK(plan->steps[1].name == "lit + view + bright");
 }
 

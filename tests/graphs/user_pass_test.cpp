@@ -59,3 +59,37 @@ vec3 grey(vec2 uv)
     for (const float value : result.texels)
         CHECK(value == Approx(0.5f).margin(2e-7)); // two roundings: the quotient and the mix
 }
+
+TEST_CASE("a port may be called like a member of what the pass reads", "[graphs][user]")
+{
+    Folder folder;
+    folder.write("shine.glsl", R"(/*{ "pass": "shine", "summary": "The first lamp's color, seen from a place.", "source": "a test",
+  "reads": ["lights"], "inputs": { "position": "position" }, "outputs": { "lit": "radiance" }, "params": { "color": 2.0 } }*/
+struct Seen { vec3 position; vec3 color; };
+vec3 shine(vec2 uv)
+{
+    Seen seen = Seen(position(uv), light(0).color);
+    return seen.color * color + seen.position + light(0).position * 0.0;
+}
+)");
+    PassLibrary library = builtin_passes();
+    if (const auto loaded = load_pass_folder(folder.path.string(), library); !loaded)
+        FAIL(to_text(loaded.error()));
+    const Graph graph = graph_of(R"({
+      "passgraph": 1,
+      "inputs": { "places": "position" },
+      "passes": { "lit": { "pass": "shine", "inputs": { "position": "places" }, "codecs": { "lit": "rgba32f" } } },
+      "outputs": { "lit": "lit" }
+    })", library);
+    Scene scene;
+    scene.lights.push_back({});
+    scene.lights.back().color = {0.5f, 1.0f, 2.0f};
+    GraphRun run;
+    run.options.extent = {2, 2};
+    run.pictures = {{"places", constant({2, 2}, {1.0f, 2.0f, 3.0f})}};
+    run.scene = &scene;
+    const Picture result = run_graph(graph, run).at("lit");
+    CHECK(result.at(1, 1, 0) == 2.0f);
+    CHECK(result.at(1, 1, 1) == 4.0f);
+    CHECK(result.at(1, 1, 2) == 7.0f);
+}
