@@ -22,6 +22,25 @@ std::string read_text(const Plan::Read& read)
     return fmt::format("{} ({}, {})", read.image, where, read.filter == Filter::linear ? "linear" : "nearest");
 }
 
+/// How many steps a change of what step `changed` computes redraws: itself, and every later step that reads its images.
+int redrawn_steps(const Plan& plan, size_t changed)
+{
+    std::vector<bool> is_new(plan.slots.size(), false); // by slot: does it hold an image that changed?
+    int count = 0;
+    for (size_t i = changed; i < plan.steps.size(); ++i) {
+        const Plan::Step& step = plan.steps[i];
+        const bool is_redrawn = i == changed || std::any_of(step.reads.begin(), step.reads.end(), [&](const Plan::Read& read) {
+            return read.source == Plan::Read::Source::slot && is_new[static_cast<size_t>(read.index)];
+        });
+        count += is_redrawn;
+        for (const Plan::Target& target : step.targets)
+            is_new[static_cast<size_t>(target.slot)] = is_redrawn;
+        if (step.depth_slot >= 0)
+            is_new[static_cast<size_t>(step.depth_slot)] = is_redrawn;
+    }
+    return count;
+}
+
 void add_step(std::string& text, const Plan& plan, size_t index)
 {
     const Plan::Step& step = plan.steps[index];
@@ -34,7 +53,7 @@ void add_step(std::string& text, const Plan& plan, size_t index)
     if (step.depth_slot >= 0)
         text += fmt::format("       depth   {}\n", slot_text(plan, step.depth_slot));
     for (const Plan::Uniform& uniform : step.uniforms)
-        text += fmt::format("       live    {}: a change redraws this step and what reads it\n", uniform.place);
+        text += fmt::format("       live    {}: a change concerns {} of {} steps\n", uniform.place, redrawn_steps(plan, index), plan.steps.size());
 }
 
 std::string quoted(std::string_view text)

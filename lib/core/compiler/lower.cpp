@@ -16,8 +16,8 @@ namespace {
 class StepLowering {
 public:
     StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots, const std::map<ImageRef, int, ImageLess>& imports,
-                 const Draw& draw, const CompileOptions& options)
-        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw), options_(options)
+                 const Draw& draw)
+        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw)
     {
     }
 
@@ -145,7 +145,6 @@ private:
     const Slots& slots_;
     const std::map<ImageRef, int, ImageLess>& imports_;
     const Draw& draw_;
-    const CompileOptions& options_;
     Plan::Step step_;
     glsl::StepSource source_;
     std::map<int, int> instance_of_;
@@ -190,7 +189,7 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.boundaries = draws.boundaries;
     plan.inlined = draws.inlined;
     for (const int draw : order)
-        plan.steps.push_back(StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
+        plan.steps.push_back(StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)]).run());
     for (const GraphOutput& output : graph.graph->outputs()) {
         Plan::Output result;
         result.name = output.name;

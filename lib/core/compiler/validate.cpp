@@ -125,7 +125,7 @@ private:
             return;
         if (!accepts(port.signal, image.signal)) {
             report("signal_mismatch", fmt::format("{}: expects {}, got {} from {}", place, info(port.signal).name, info(image.signal).name, from),
-                   fix_for(port.signal, image.signal), wire->where);
+                   fix_for(port.signal, wire->from), wire->where);
             return;
         }
         if (port.signal != Signal::color)
@@ -139,23 +139,49 @@ private:
         generic_ = image.signal;
     }
 
-    /// Names images that would fit, nearest before the reader first; or the pass that turns one signal into the other.
-    std::string fix_for(Signal wanted, Signal got) const
+    /// What the offending image was made from, if its signal fits; else any image that fits, or the pass that turns one
+    /// signal into the other.
+    std::string fix_for(Signal wanted, ImageRef offending) const
+    {
+        const Signal got = typed_.image(offending).signal;
+        std::string fix;
+        if (const auto source = made_from(wanted, offending))
+            fix = fmt::format("read {}", graph_.image_name(*source));
+        else if (const auto other = latest_image(wanted))
+            fix = fmt::format("read {}", graph_.image_name(*other));
+        if (fix.empty() && wanted == Signal::display && got == Signal::radiance)
+            return "put a tone_map between them";
+        if (fix.empty())
+            return fmt::format("no image of signal {} exists here", info(wanted).name);
+        return wanted == Signal::radiance && got == Signal::display ? fmt::format("{}, or put `{}` before the tone map", fix, current_->name) : fix;
+    }
+
+    /// The nearest image upstream of `image` that a port of signal `wanted` accepts; breadth first.
+    std::optional<ImageRef> made_from(Signal wanted, ImageRef image) const
+    {
+        std::vector<int> open = {image.node};
+        for (size_t next = 0; next < open.size(); ++next) {
+            for (const auto& wire : graph_.nodes()[static_cast<size_t>(open[next])].inputs) {
+                if (!wire || !is_known(wire->from) || typed_.image(wire->from).over != Over::image)
+                    continue;
+                if (accepts(wanted, typed_.image(wire->from).signal))
+                    return wire->from;
+                if (std::find(open.begin(), open.end(), wire->from.node) == open.end())
+                    open.push_back(wire->from.node);
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<ImageRef> latest_image(Signal wanted) const
     {
         for (int node = static_cast<int>(typed_.images.size()) - 1; node >= 0; --node) {
             const auto& outputs = typed_.images[static_cast<size_t>(node)];
-            for (size_t output = 0; output < outputs.size(); ++output) {
-                if (outputs[output].over != Over::image || !accepts(wanted, outputs[output].signal))
-                    continue;
-                std::string fix = fmt::format("read {}", graph_.image_name({node, static_cast<int>(output)}));
-                if (wanted == Signal::radiance && got == Signal::display)
-                    fix += fmt::format(", or put `{}` before the tone map", current_->name);
-                return fix;
-            }
+            for (size_t output = 0; output < outputs.size(); ++output)
+                if (outputs[output].over == Over::image && accepts(wanted, outputs[output].signal))
+                    return ImageRef{node, static_cast<int>(output)};
         }
-        if (wanted == Signal::display && got == Signal::radiance)
-            return "put a tone_map between them";
-        return fmt::format("no image of signal {} exists here", info(wanted).name);
+        return std::nullopt;
     }
 
     Extent largest_input() const
@@ -200,9 +226,14 @@ private:
             report("extent_empty", fmt::format("{} would be {}x{} texels", what, extent.width, extent.height),
                    "both sides must be at least 1", current_->where);
         } else if (std::max(extent.width, extent.height) > options_.device.max_texture_size) {
-            errors_.push_back({"extent_too_large", fmt::format("{} would be {}x{} texels", what, extent.width, extent.height),
+            // A frame that is too large is one mistake, not one of each image of its size.
+            const bool is_frame = extent == options_.extent;
+            if (is_frame_reported_)
+                return;
+            is_frame_reported_ = is_frame;
+            errors_.push_back({"extent_too_large", fmt::format("{} would be {}x{} texels", is_frame ? "the frame" : what, extent.width, extent.height),
                                fmt::format("this device allows at most {} each way", options_.device.max_texture_size),
-                               current_->where, Fault::machine});
+                               is_frame ? Location{} : current_->where, Fault::machine});
         }
     }
 
@@ -241,6 +272,7 @@ private:
     TypedGraph typed_;
     const GraphNode* current_ = nullptr;
     std::optional<Signal> generic_;
+    bool is_frame_reported_ = false;
 };
 
 } // namespace

@@ -26,7 +26,7 @@ public:
         text_ += '\n';
     }
 
-    /// Emits the text's includes (once each), then the text with its globals and `renames` replaced by macros.
+    /// Emits the text's includes (once each), then the text with its globals and `renames` replaced.
     void add_module(const GlslText& module, std::string_view prefix, std::vector<std::pair<std::string, std::string>> renames);
 
     /// Emits a text and what it includes under their own names.
