@@ -34,6 +34,11 @@ std::string to_text(const Errors& errors)
     return text;
 }
 
+void append(Errors& errors, const Errors& more)
+{
+    errors.insert(errors.end(), more.begin(), more.end());
+}
+
 tl::unexpected<Errors> fail(Error error)
 {
     Errors errors;

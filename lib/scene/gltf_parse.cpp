@@ -131,7 +131,7 @@ Errors parse(File& file)
     }
     if (done)
         return {};
-    return {malformed({file.path}, "the glTF file cannot be read: " + one_line(error.empty() ? warning : error))};
+    return {malformed({file.path}, fmt::format("the glTF file cannot be read: {}", one_line(error.empty() ? warning : error)))};
 }
 
 } // namespace passgraph::gltf

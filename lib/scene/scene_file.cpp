@@ -19,11 +19,6 @@ namespace {
 using scene_file::ElementEntry;
 using scene_file::SkyEntry;
 
-void append(Errors& errors, const Errors& more)
-{
-    errors.insert(errors.end(), more.begin(), more.end());
-}
-
 /// Reads each model once, however many elements show it.
 class Models {
 public:

@@ -36,11 +36,6 @@ std::vector<std::string> common_folders_of(const fs::path& file, const std::stri
     return folders;
 }
 
-void append(Errors& errors, Errors more)
-{
-    errors.insert(errors.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 /// Composites may use one another: each is declared as soon as those it names are.
 void declare_composites(std::vector<std::pair<std::string, std::shared_ptr<const GraphDescription>>> open, PassLibrary& library, Errors& errors)
 {

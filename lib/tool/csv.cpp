@@ -40,7 +40,7 @@ std::vector<Cell> cells_of(std::string_view line, const std::string& file, int n
     }
 }
 
-std::optional<float> number_of(std::string_view text)
+std::optional<float> cell_number(std::string_view text)
 {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+')
         text.remove_prefix(1);
@@ -81,7 +81,7 @@ void read_row(const std::vector<Cell>& cells, CsvTable& table, Errors& errors)
                           cells.back().where});
     std::vector<float> row;
     for (const Cell& cell : cells) {
-        const std::optional<float> number = number_of(cell.text);
+        const std::optional<float> number = cell_number(cell.text);
         if (!number)
             errors.push_back({"csv_cell",
                               cell.text.empty() ? std::string("this cell is empty") : fmt::format("`{}` is not a number", cell.text),

@@ -15,8 +15,6 @@
 namespace passgraph::tool {
 namespace {
 
-void append(Errors& errors, const Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); }
-
 bool is_import(const GraphNode& node) { return node.kind == GraphNode::Kind::picture || node.kind == GraphNode::Kind::cube; }
 
 /// "`image` (radiance), `sky` (radiance, a folder)", for hints.

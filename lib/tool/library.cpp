@@ -11,8 +11,6 @@
 namespace passgraph::tool {
 namespace {
 
-void append(Errors& errors, const Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); }
-
 /// A value of a preset; wrong_type when it is no value of any parameter.
 std::optional<PassArguments::Setting> setting_of(const Json::Member& member, Errors& errors)
 {

@@ -44,6 +44,9 @@ std::string to_text(const Error& error);
 /// All errors, one after another, each ended by a newline.
 std::string to_text(const Errors& errors);
 
+/// Adds `more` behind `errors`.
+void append(Errors& errors, const Errors& more);
+
 /// A failed result holding one error.
 tl::unexpected<Errors> fail(Error error);
 
