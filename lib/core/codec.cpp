@@ -64,42 +64,43 @@ std::array<float, 3> signed_10_direction(const float* texel)
 float guarded(float value, Guard guard, float cap)
 {
     switch (guard) {
-    case Guard::zero_to_cap: return value > 0.0f ? std::min(value, cap) : 0.0f;
-    case Guard::finite: return std::abs(value) <= cap ? value : 0.0f;
-    case Guard::positive: return value > 0.0f ? std::min(value, cap) : 1.0f;
-    case Guard::unit_vector: break;
+    case Guard::zero_to_cap:
+        return value > 0.0f ? std::min(value, cap) : 0.0f;
+    case Guard::finite:
+        return std::abs(value) <= cap ? value : 0.0f;
+    case Guard::positive:
+        return value > 0.0f ? std::min(value, cap) : 1.0f;
+    case Guard::unit_vector:
+        break;
     }
     return value;
 }
 
 } // namespace
 
-std::string_view name(Format format)
-{
-    return kFormats[static_cast<size_t>(format)].name;
-}
+std::string_view name(Format format) { return kFormats[static_cast<size_t>(format)].name; }
 
-int bytes_per_texel(Format format)
-{
-    return kFormats[static_cast<size_t>(format)].bytes;
-}
+int bytes_per_texel(Format format) { return kFormats[static_cast<size_t>(format)].bytes; }
 
-bool is_depth(Format format)
-{
-    return format == Format::depth24 || format == Format::depth32f;
-}
+bool is_depth(Format format) { return format == Format::depth24 || format == Format::depth32f; }
 
 const std::vector<Codec>& codecs_of(Signal signal)
 {
     using enum Format;
-    static const std::vector<Codec> radiance = {{"rgba16f", rgba16f}, {"r11f_g11f_b10f", r11f_g11f_b10f}, {"rgba32f", rgba32f}};
+    static const std::vector<Codec> radiance = {
+        {"rgba16f", rgba16f}, {"r11f_g11f_b10f", r11f_g11f_b10f}, {"rgba32f", rgba32f}};
     static const std::vector<Codec> radiance_alpha = {{"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
-    static const std::vector<Codec> display = {{"rgba8", rgba8}, {"rgb10_a2", rgb10_a2}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
+    static const std::vector<Codec> display = {
+        {"rgba8", rgba8}, {"rgb10_a2", rgb10_a2}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
     static const std::vector<Codec> display_alpha = {{"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
-    static const std::vector<Codec> albedo = {{"srgb8_a8", srgb8_a8}, {"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
+    static const std::vector<Codec> albedo = {
+        {"srgb8_a8", srgb8_a8}, {"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
     static const std::vector<Codec> material = {{"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
-    static const std::vector<Codec> normal = {{"octahedral_rg16", rg16, Packing::octahedral}, {"octahedral_rg8", rg8, Packing::octahedral},
-                                              {"rgb10_a2", rgb10_a2, Packing::signed_10}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
+    static const std::vector<Codec> normal = {{"octahedral_rg16", rg16, Packing::octahedral},
+                                              {"octahedral_rg8", rg8, Packing::octahedral},
+                                              {"rgb10_a2", rgb10_a2, Packing::signed_10},
+                                              {"rgba16f", rgba16f},
+                                              {"rgba32f", rgba32f}};
     static const std::vector<Codec> position = {{"rgba32f", rgba32f}, {"rgba16f", rgba16f}};
     static const std::vector<Codec> depth = {{"depth32f", depth32f}, {"depth24", depth24}, {"r32f", r32f}};
     static const std::vector<Codec> atlas_uv = {{"rg16", rg16}, {"rg16f", rg16f}};
@@ -107,19 +108,33 @@ const std::vector<Codec>& codecs_of(Signal signal)
     static const std::vector<Codec> velocity = {{"rg16f", rg16f}, {"rg32f", rg32f}};
     static const std::vector<Codec> exposure = {{"r32f", r32f}};
     switch (signal) {
-    case Signal::radiance: case Signal::color: return radiance;
-    case Signal::radiance_alpha: return radiance_alpha;
-    case Signal::display: return display;
-    case Signal::display_alpha: return display_alpha;
-    case Signal::albedo: return albedo;
-    case Signal::material: return material;
-    case Signal::normal: return normal;
-    case Signal::position: return position;
-    case Signal::depth: return depth;
-    case Signal::atlas_uv: return atlas_uv;
-    case Signal::mask: return mask;
-    case Signal::velocity: return velocity;
-    case Signal::exposure: return exposure;
+    case Signal::radiance:
+    case Signal::color:
+        return radiance;
+    case Signal::radiance_alpha:
+        return radiance_alpha;
+    case Signal::display:
+        return display;
+    case Signal::display_alpha:
+        return display_alpha;
+    case Signal::albedo:
+        return albedo;
+    case Signal::material:
+        return material;
+    case Signal::normal:
+        return normal;
+    case Signal::position:
+        return position;
+    case Signal::depth:
+        return depth;
+    case Signal::atlas_uv:
+        return atlas_uv;
+    case Signal::mask:
+        return mask;
+    case Signal::velocity:
+        return velocity;
+    case Signal::exposure:
+        return exposure;
     }
     return radiance;
 }
@@ -154,8 +169,9 @@ Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec)
                     value[c] = c < raw.channels ? texel[c] : c == 3 ? 1.0f : 0.0f;
                 continue;
             }
-            const auto direction = codec.packing == Packing::octahedral ? octahedral_direction(texel[0], texel[1], codes)
-                                                                        : signed_10_direction(texel);
+            const auto direction = codec.packing == Packing::octahedral
+                                       ? octahedral_direction(texel[0], texel[1], codes)
+                                       : signed_10_direction(texel);
             std::copy(direction.begin(), direction.end(), value);
         }
     }

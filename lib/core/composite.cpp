@@ -36,8 +36,9 @@ void declare_ports(PassDeclaration& pass, const GraphDescription& description, c
         port.name = output.name;
         port.where = output.where;
         const GraphNode& node = inside.nodes()[static_cast<size_t>(output.from.node)];
-        port.signal = node.kind == GraphNode::Kind::pass ? node.pass->outputs[static_cast<size_t>(output.from.output)].signal
-                                                         : node.signal;
+        port.signal = node.kind == GraphNode::Kind::pass
+                          ? node.pass->outputs[static_cast<size_t>(output.from.output)].signal
+                          : node.signal;
         pass.outputs.push_back(std::move(port));
     }
 }
@@ -73,13 +74,15 @@ void declare_settings(PassDeclaration& pass, const GraphDescription& description
 namespace {
 
 /// True when expanding the description's passes would come upon `name`, which would never end.
-bool expands_to(const GraphDescription& description, std::string_view name, const PassLibrary& library, std::set<std::string>& seen)
+bool expands_to(const GraphDescription& description, std::string_view name, const PassLibrary& library,
+                std::set<std::string>& seen)
 {
     return std::any_of(description.passes.begin(), description.passes.end(), [&](const GraphDescription::Pass& use) {
         if (use.pass.text == name)
             return true;
         const PassPtr pass = library.find(use.pass.text);
-        return pass && pass->composite && seen.insert(use.pass.text).second && expands_to(*pass->composite, name, library, seen);
+        return pass && pass->composite && seen.insert(use.pass.text).second &&
+               expands_to(*pass->composite, name, library, seen);
     });
 }
 
@@ -89,10 +92,13 @@ Result<PassPtr> declare_composite(std::shared_ptr<const GraphDescription> descri
                                   const PassLibrary& library)
 {
     if (description->composite_name.empty())
-        return fail({"not_a_composite", "the file lacks \"pass\": the name of the composite", "", {description->file, 1, 1}});
+        return fail(
+            {"not_a_composite", "the file lacks \"pass\": the name of the composite", "", {description->file, 1, 1}});
     if (std::set<std::string> seen; expands_to(*description, description->composite_name, library, seen))
-        return fail({"cycle", fmt::format("the composite `{}` is made of itself", description->composite_name),
-                     "give the composite another name, or use another pass inside", {description->file, 1, 1}});
+        return fail({"cycle",
+                     fmt::format("the composite `{}` is made of itself", description->composite_name),
+                     "give the composite another name, or use another pass inside",
+                     {description->file, 1, 1}});
     const Graph inside = build_graph(*description, library);
     if (!inside.errors().empty())
         return tl::unexpected(inside.errors());
@@ -120,13 +126,16 @@ std::vector<NamedImage> match_inputs(const PassDeclaration& pass, const PassArgu
         if (pass.find_input(input.name) >= 0)
             images.emplace_back(input.name, input.image.ref());
         else
-            graph.report({"unknown_input", fmt::format("{} ({}) has no input `{}`", arguments.name, pass.name, input.name),
+            graph.report({"unknown_input",
+                          fmt::format("{} ({}) has no input `{}`", arguments.name, pass.name, input.name),
                           suggest(input.name, names_of(pass.inputs), "inputs"), input.where});
     }
     for (const InputPort& port : pass.inputs) {
-        if (std::any_of(images.begin(), images.end(), [&](const NamedImage& image) { return image.first == port.name; }))
+        if (std::any_of(images.begin(), images.end(),
+                        [&](const NamedImage& image) { return image.first == port.name; }))
             continue;
-        graph.report({"input_missing", fmt::format("{} ({}): the input `{}` is not wired", arguments.name, pass.name, port.name),
+        graph.report({"input_missing",
+                      fmt::format("{} ({}): the input `{}` is not wired", arguments.name, pass.name, port.name),
                       fmt::format("wire an image of signal {} to it", info(port.signal).name), arguments.where});
         images.emplace_back(port.name, ImageRef{});
     }
@@ -160,7 +169,8 @@ void route_codecs(const PassDeclaration& pass, const PassArguments& arguments, c
     for (const PassArguments::Setting& codec : arguments.codecs) {
         const int output = pass.find_output(codec.name);
         if (output < 0) {
-            errors.push_back({"unknown_image", fmt::format("{} ({}) has no output `{}`", arguments.name, pass.name, codec.name),
+            errors.push_back({"unknown_image",
+                              fmt::format("{} ({}) has no output `{}`", arguments.name, pass.name, codec.name),
                               suggest(codec.name, names_of(pass.outputs), "outputs"), codec.where});
             continue;
         }
@@ -188,7 +198,8 @@ void check_statics(const PassDeclaration& pass, const PassArguments& arguments, 
 {
     for (const auto& [name, where] : arguments.statics)
         if (pass.find_param(name) < 0)
-            graph.report({"unknown_param", fmt::format("{} ({}) has no parameter `{}`", arguments.name, pass.name, name),
+            graph.report({"unknown_param",
+                          fmt::format("{} ({}) has no parameter `{}`", arguments.name, pass.name, name),
                           suggest(name, names_of(pass.params), "parameters"), where});
 }
 
@@ -201,7 +212,8 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
     route_settings(*pass, arguments, inside, errors_);
     check_statics(*pass, arguments, *this);
     if (arguments.scale || arguments.size_of)
-        report({"scale_on_composite", fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
+        report({"scale_on_composite",
+                fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
                 "scale its input instead, with a pass such as downsample", arguments.where});
 
     std::vector<int> moved(inside.nodes().size(), -1);

@@ -23,29 +23,40 @@ int index_of(const Items& items, std::string_view wanted)
 
 std::string_view name(ParamType type)
 {
-    static constexpr std::array<std::string_view, 8> kNames = {"float", "int", "bool", "enum", "color", "vec2", "vec3", "vec4"};
+    static constexpr std::array<std::string_view, 8> kNames = {"float", "int",  "bool", "enum",
+                                                               "color", "vec2", "vec3", "vec4"};
     return kNames[static_cast<size_t>(type)];
 }
 
 int component_count(ParamType type)
 {
     switch (type) {
-    case ParamType::color: case ParamType::vec3: return 3;
-    case ParamType::vec2: return 2;
-    case ParamType::vec4: return 4;
-    default: return 1;
+    case ParamType::color:
+    case ParamType::vec3:
+        return 3;
+    case ParamType::vec2:
+        return 2;
+    case ParamType::vec4:
+        return 4;
+    default:
+        return 1;
     }
 }
 
 std::string to_text(const Access& access)
 {
     switch (access.kind) {
-    case AccessClass::size_only: return "size only";
-    case AccessClass::pointwise: return "pointwise";
-    case AccessClass::warp: return "warp";
-    case AccessClass::gather: break;
+    case AccessClass::size_only:
+        return "size only";
+    case AccessClass::pointwise:
+        return "pointwise";
+    case AccessClass::warp:
+        return "warp";
+    case AccessClass::gather:
+        break;
     }
-    return access.radius == Access::kUnknownRadius ? "gather(radius unknown)" : fmt::format("gather({})", access.radius);
+    return access.radius == Access::kUnknownRadius ? "gather(radius unknown)"
+                                                   : fmt::format("gather({})", access.radius);
 }
 
 int PassDeclaration::find_input(std::string_view wanted) const { return index_of(inputs, wanted); }
@@ -53,10 +64,7 @@ int PassDeclaration::find_output(std::string_view wanted) const { return index_o
 int PassDeclaration::find_param(std::string_view wanted) const { return index_of(params, wanted); }
 int PassDeclaration::find_selection(std::string_view wanted) const { return index_of(selections, wanted); }
 
-void PassLibrary::add(PassPtr pass)
-{
-    passes_[pass->name] = std::move(pass);
-}
+void PassLibrary::add(PassPtr pass) { passes_[pass->name] = std::move(pass); }
 
 PassPtr PassLibrary::find(std::string_view name) const
 {

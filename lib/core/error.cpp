@@ -34,10 +34,7 @@ std::string to_text(const Errors& errors)
     return text;
 }
 
-void append(Errors& errors, const Errors& more)
-{
-    errors.insert(errors.end(), more.begin(), more.end());
-}
+void append(Errors& errors, const Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); }
 
 tl::unexpected<Errors> fail(Error error)
 {

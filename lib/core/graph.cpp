@@ -72,7 +72,8 @@ AnyImage Graph::cube(std::string name, Signal signal, Location where)
 std::string Graph::free_name(std::string wanted, const Location& where, bool is_chosen)
 {
     const auto is_taken = [&](const std::string& name) {
-        return find_node(name) >= 0 || std::any_of(composites_.begin(), composites_.end(), [&](const auto& c) { return c.first == name; });
+        return find_node(name) >= 0 ||
+               std::any_of(composites_.begin(), composites_.end(), [&](const auto& c) { return c.first == name; });
     };
     if (!is_taken(wanted))
         return wanted;

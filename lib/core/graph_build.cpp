@@ -115,7 +115,8 @@ void add_pass(Graph& graph, const GraphDescription& description, const GraphDesc
     for (const auto& input : pass.inputs) {
         const auto image = resolve(graph, description, input.image);
         const bool is_port = declaration && declaration->find_input(input.port) >= 0;
-        arguments.inputs.push_back({input.port, image.value_or(AnyImage(ImageRef{})), is_port ? input.image.where : input.where});
+        arguments.inputs.push_back(
+            {input.port, image.value_or(AnyImage(ImageRef{})), is_port ? input.image.where : input.where});
     }
     if (pass.size_of)
         arguments.size_of = resolve(graph, description, *pass.size_of);
@@ -131,7 +132,8 @@ void check_param(Graph& graph, const GraphParam& param)
         const int node = dot == std::string::npos ? -1 : graph.find_node(place.substr(0, dot));
         const PassPtr pass = node < 0 ? nullptr : graph.nodes()[static_cast<size_t>(node)].pass;
         graph.report({"unknown_param", fmt::format("param `{}`: there is no setting `{}`", param.name, place),
-                      pass ? suggest(place.substr(dot + 1), setting_names(*pass), "settings") : "places are PASS.NAME", param.where});
+                      pass ? suggest(place.substr(dot + 1), setting_names(*pass), "settings") : "places are PASS.NAME",
+                      param.where});
     }
 }
 
@@ -142,9 +144,15 @@ Graph build_graph(const GraphDescription& description, const PassLibrary& librar
     Graph graph(library);
     for (const auto& input : description.inputs) {
         switch (input.kind) {
-        case GraphNode::Kind::scene: graph.scene(input.name, input.where); break;
-        case GraphNode::Kind::cube: graph.cube(input.name, input.signal, input.where); break;
-        default: graph.picture(input.name, input.signal, input.where); break;
+        case GraphNode::Kind::scene:
+            graph.scene(input.name, input.where);
+            break;
+        case GraphNode::Kind::cube:
+            graph.cube(input.name, input.signal, input.where);
+            break;
+        default:
+            graph.picture(input.name, input.signal, input.where);
+            break;
         }
     }
     Errors cycles;
@@ -154,7 +162,8 @@ Graph build_graph(const GraphDescription& description, const PassLibrary& librar
     for (const size_t pass : producers.order())
         add_pass(graph, description, description.passes[pass]);
     for (const auto& output : description.outputs)
-        graph.output(output.name, resolve(graph, description, output.image).value_or(AnyImage(ImageRef{})), output.image.where);
+        graph.output(output.name, resolve(graph, description, output.image).value_or(AnyImage(ImageRef{})),
+                     output.image.where);
     for (const GraphParam& param : description.params) {
         graph.param(param);
         check_param(graph, param);
@@ -170,10 +179,14 @@ Result<Graph> load_graph(const std::string& path, const PassLibrary& library)
     const auto description = read_graph_description(*text, path);
     if (!description)
         return tl::unexpected(description.error());
-    if (!description->composite_name.empty() || std::any_of(description->inputs.begin(), description->inputs.end(), [](const auto& input) {
+    if (!description->composite_name.empty() ||
+        std::any_of(description->inputs.begin(), description->inputs.end(), [](const auto& input) {
             return input.signal == Signal::color && input.kind != GraphNode::Kind::scene;
         })) {
-        return fail({"composite_alone", "this file is a composite pass, not a graph", "name it as a pass in a graph", {path, 1, 1}});
+        return fail({"composite_alone",
+                     "this file is a composite pass, not a graph",
+                     "name it as a pass in a graph",
+                     {path, 1, 1}});
     }
     return build_graph(*description, library);
 }

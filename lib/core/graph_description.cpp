@@ -128,7 +128,8 @@ private:
                 setting.numbers.push_back(item.number);
             }
         } else {
-            report_wrong_type(value, fmt::format("`{}`", member.key), "a number, up to four numbers, true, false or a name", errors_);
+            report_wrong_type(value, fmt::format("`{}`", member.key),
+                              "a number, up to four numbers, true, false or a name", errors_);
             return std::nullopt;
         }
         return setting;
@@ -150,8 +151,10 @@ private:
             if (scale->array.size() == 2 && whole(scale->array[0]) && whole(scale->array[1])) {
                 pass.scale = Ratio{static_cast<int>(scale->array[0].number), static_cast<int>(scale->array[1].number)};
             } else {
-                errors_.push_back({"wrong_type", fmt::format("pass `{}`: \"scale\" wants two whole numbers from 1 to 65536", pass.name),
-                                   "[1, 2] is half", scale->where});
+                errors_.push_back(
+                    {"wrong_type",
+                     fmt::format("pass `{}`: \"scale\" wants two whole numbers from 1 to 65536", pass.name),
+                     "[1, 2] is half", scale->where});
             }
         }
         if (const Json* size = fields.find("size", Json::Kind::object)) {

@@ -14,7 +14,8 @@ namespace {
 std::pair<std::string_view, std::string_view> split_place(std::string_view place)
 {
     const size_t dot = place.rfind('.');
-    return dot == std::string_view::npos ? std::pair{std::string_view(), place} : std::pair{place.substr(0, dot), place.substr(dot + 1)};
+    return dot == std::string_view::npos ? std::pair{std::string_view(), place}
+                                         : std::pair{place.substr(0, dot), place.substr(dot + 1)};
 }
 
 bool has_setting(const GraphNode& node, std::string_view name)
@@ -63,7 +64,8 @@ Result<void> Graph::set(std::string_view place, const PassArguments::Setting& se
             if (node.kind == GraphNode::Kind::pass)
                 for (const std::string& name : setting_names(*node.pass))
                     known.push_back(node.name + "." + name);
-        errors.push_back({"unknown_param", fmt::format("the graph has no setting `{}`", place), suggest(place, known, "settings"), setting.where});
+        errors.push_back({"unknown_param", fmt::format("the graph has no setting `{}`", place),
+                          suggest(place, known, "settings"), setting.where});
     }
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
@@ -106,9 +108,11 @@ std::optional<ImageRef> Graph::find_image(std::string_view name, Error* why) con
         }
         if (port.empty())
             return refuse(fmt::format("`{}` has {} outputs", node, outputs.size()), suggest("", names, "images"));
-        return refuse(fmt::format("`{}` has no output `{}`", node, port), suggest(fmt::format("{}.{}", node, port), names, "images"));
+        return refuse(fmt::format("`{}` has no output `{}`", node, port),
+                      suggest(fmt::format("{}.{}", node, port), names, "images"));
     };
-    const auto outputs_of = [&](std::string_view wanted) -> std::optional<std::vector<std::pair<std::string, ImageRef>>> {
+    const auto outputs_of =
+        [&](std::string_view wanted) -> std::optional<std::vector<std::pair<std::string, ImageRef>>> {
         for (const auto& [composite, outputs] : composites_)
             if (composite == wanted)
                 return outputs;

@@ -54,11 +54,16 @@ void set_selection(GraphNode& node, size_t index, const PassArguments::Setting& 
 std::string expected_text(const Param& param)
 {
     switch (param.type) {
-    case ParamType::bool_: return "true or false";
-    case ParamType::int_: return "a whole number";
-    case ParamType::enum_: return "one of its items";
-    case ParamType::float_: return "a number";
-    default: return fmt::format("{} numbers", component_count(param.type));
+    case ParamType::bool_:
+        return "true or false";
+    case ParamType::int_:
+        return "a whole number";
+    case ParamType::enum_:
+        return "one of its items";
+    case ParamType::float_:
+        return "a number";
+    default:
+        return fmt::format("{} numbers", component_count(param.type));
     }
 }
 
@@ -104,9 +109,12 @@ void set_param(GraphNode& node, size_t index, const PassArguments::Setting& sett
     if (param.type == ParamType::bool_ && (setting.item == "true" || setting.item == "false"))
         numbers = {setting.item == "true" ? 1.0 : 0.0};
     if (!has_right_type(param, numbers)) {
-        const std::string got = setting.item.empty() ? fmt::format("{} numbers", numbers.size()) : "`" + setting.item + "`";
-        errors.push_back({"wrong_type", fmt::format("{} is a {}: expected {}, got {}", place, name(param.type),
-                                                    expected_text(param), got), "", setting.where});
+        const std::string got =
+            setting.item.empty() ? fmt::format("{} numbers", numbers.size()) : "`" + setting.item + "`";
+        errors.push_back(
+            {"wrong_type",
+             fmt::format("{} is a {}: expected {}, got {}", place, name(param.type), expected_text(param), got), "",
+             setting.where});
         return;
     }
     Value value;
@@ -114,10 +122,11 @@ void set_param(GraphNode& node, size_t index, const PassArguments::Setting& sett
         if (param.type != ParamType::int_)
             numbers[i] = as_written(numbers[i]);
         if (!(numbers[i] >= param.lowest && numbers[i] <= param.highest) || !std::isfinite(numbers[i])) {
-            errors.push_back({"param_out_of_range", fmt::format("{} = {} is outside [{}, {}]", place, numbers[i],
-                                                                param.lowest, param.highest),
-                              fmt::format("give {} between {} and {}", expected_text(param), param.lowest, param.highest),
-                              setting.where});
+            errors.push_back(
+                {"param_out_of_range",
+                 fmt::format("{} = {} is outside [{}, {}]", place, numbers[i], param.lowest, param.highest),
+                 fmt::format("give {} between {} and {}", expected_text(param), param.lowest, param.highest),
+                 setting.where});
             return;
         }
         value.v[i] = numbers[i];
@@ -136,9 +145,10 @@ void apply_setting(GraphNode& node, const PassArguments::Setting& setting, Error
     } else if (selection >= 0) {
         set_selection(node, static_cast<size_t>(selection), setting, errors);
     } else {
-        errors.push_back({"unknown_param", fmt::format("{} ({}) has no parameter, choice or ladder `{}`", node.name,
-                                                       node.pass->name, setting.name),
-                          suggest(setting.name, setting_names(*node.pass), "settings"), setting.where});
+        errors.push_back(
+            {"unknown_param",
+             fmt::format("{} ({}) has no parameter, choice or ladder `{}`", node.name, node.pass->name, setting.name),
+             suggest(setting.name, setting_names(*node.pass), "settings"), setting.where});
     }
 }
 
@@ -149,15 +159,17 @@ void apply_codec(GraphNode& node, const PassArguments::Setting& setting, Errors&
         std::vector<std::string> names;
         for (const OutputPort& port : node.pass->outputs)
             names.push_back(port.name);
-        errors.push_back({"unknown_image", fmt::format("{} ({}) has no output `{}`", node.name, node.pass->name, setting.name),
+        errors.push_back({"unknown_image",
+                          fmt::format("{} ({}) has no output `{}`", node.name, node.pass->name, setting.name),
                           suggest(setting.name, names, "outputs"), setting.where});
         return;
     }
     // A generic output's signal is known only later; encode checks the codec against it.
     const Signal signal = node.pass->outputs[static_cast<size_t>(output)].signal;
     if (signal != Signal::color && !find_codec(signal, setting.item)) {
-        errors.push_back({"unknown_codec", fmt::format("{}.{} is {}, which no codec `{}` stores", node.name, setting.name,
-                                                       info(signal).name, setting.item),
+        errors.push_back({"unknown_codec",
+                          fmt::format("{}.{} is {}, which no codec `{}` stores", node.name, setting.name,
+                                      info(signal).name, setting.item),
                           suggest(setting.item, codec_names(signal), "codecs"), setting.where});
         return;
     }

@@ -79,7 +79,8 @@ public:
         const auto same = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.key == name; });
         if (same != members.end()) {
             errors.push_back({"json_duplicate_key", fmt::format("the key `{}` stands twice", name),
-                              fmt::format("it stands first at line {}; rename or remove one", same->where.line), where});
+                              fmt::format("it stands first at line {}; rename or remove one", same->where.line),
+                              where});
         }
         members.push_back({name, where, {}});
         return true;
@@ -129,7 +130,8 @@ private:
         const bool is_number = token.find_first_not_of("+-.eE0123456789") == std::string_view::npos;
         const bool is_string = token.starts_with('"') && token.find_first_of("\"\n", 1) == std::string_view::npos;
         const bool is_comment = token.starts_with("/*") && token.find("*/", 2) == std::string_view::npos;
-        return begins("true") || begins("false") || begins("null") || begins("/*") || is_number || is_string || is_comment;
+        return begins("true") || begins("false") || begins("null") || begins("/*") || is_number || is_string ||
+               is_comment;
     }
 
     /// Between two tokens stand only blanks, commas, colons and comments: skip them from the last token's end.
@@ -187,7 +189,8 @@ private:
     {
         Location where = token_start();
         if (open_.size() >= kDeepest) {
-            errors.push_back({"json_depth", fmt::format("more than {} values inside one another", kDeepest), "", where});
+            errors.push_back(
+                {"json_depth", fmt::format("more than {} values inside one another", kDeepest), "", where});
             return false;
         }
         Json& value = place_for_value();
@@ -229,12 +232,18 @@ const Json* Json::find(std::string_view key) const
 std::string_view kind_name(Json::Kind kind)
 {
     switch (kind) {
-    case Json::Kind::null: return "null";
-    case Json::Kind::boolean: return "true or false";
-    case Json::Kind::number: return "a number";
-    case Json::Kind::string: return "a string";
-    case Json::Kind::array: return "an array";
-    case Json::Kind::object: return "an object";
+    case Json::Kind::null:
+        return "null";
+    case Json::Kind::boolean:
+        return "true or false";
+    case Json::Kind::number:
+        return "a number";
+    case Json::Kind::string:
+        return "a string";
+    case Json::Kind::array:
+        return "an array";
+    case Json::Kind::object:
+        return "an object";
     }
     return "";
 }
@@ -270,8 +279,8 @@ Result<std::string> read_text_file(const std::string& path)
 
 void report_wrong_type(const Json& value, std::string_view what, std::string_view expected, Errors& errors)
 {
-    errors.push_back({"wrong_type", fmt::format("{}: expected {}, got {}", what, expected, kind_name(value.kind)), "",
-                      value.where});
+    errors.push_back(
+        {"wrong_type", fmt::format("{}: expected {}, got {}", what, expected, kind_name(value.kind)), "", value.where});
 }
 
 JsonFields::JsonFields(const Json& object, std::string what, Errors& errors)
@@ -338,8 +347,8 @@ bool JsonFields::numbers(std::string_view key, size_t count, float* out)
     for (const Json& item : value->array)
         fits = fits && item.is(Json::Kind::number) && std::isfinite(static_cast<float>(item.number));
     if (!fits) {
-        errors_.push_back({"wrong_type", fmt::format("{}: \"{}\" wants {} finite numbers", what_, key, count), "",
-                           value->where});
+        errors_.push_back(
+            {"wrong_type", fmt::format("{}: \"{}\" wants {} finite numbers", what_, key, count), "", value->where});
         return false;
     }
     for (size_t i = 0; i < count; ++i)

@@ -32,7 +32,10 @@ Object uniform_json(const Plan::Uniform& uniform)
     Object value = Object::array();
     for (int i = 0; i < component_count(uniform.type); ++i)
         value.push_back(uniform.value.v[static_cast<size_t>(i)]);
-    return {{"place", uniform.place}, {"name", uniform.name}, {"type", name(uniform.type)}, {"value", value},
+    return {{"place", uniform.place},
+            {"name", uniform.name},
+            {"type", name(uniform.type)},
+            {"value", value},
             {"range", Object::array({bound_json(uniform.lowest), bound_json(uniform.highest)})}};
 }
 
@@ -53,8 +56,10 @@ Object step_json(const Plan::Step& step, bool with_glsl)
         json["targets"].push_back({{"slot", target.slot}, {"image", target.image}});
     for (const Plan::Uniform& uniform : step.uniforms)
         json["uniforms"].push_back(uniform_json(uniform));
-    const std::array<std::pair<bool, const char*>, 4> host = {
-        {{step.host.camera, "camera"}, {step.host.lights, "lights"}, {step.host.frame, "frame"}, {step.host.elements, "elements"}}};
+    const std::array<std::pair<bool, const char*>, 4> host = {{{step.host.camera, "camera"},
+                                                               {step.host.lights, "lights"},
+                                                               {step.host.frame, "frame"},
+                                                               {step.host.elements, "elements"}}};
     for (const auto& [is_read, what] : host)
         if (is_read)
             json["host"].push_back(what);
@@ -71,25 +76,36 @@ Object step_json(const Plan::Step& step, bool with_glsl)
 std::string to_json(const Plan& plan, bool with_glsl)
 {
     static constexpr std::array<const char*, 3> kImportKinds = {"picture", "cube", "sky"};
-    Object json = {{"passgraph", 1}, {"extent", extent_json(plan.extent)}, {"bytes", plan.bytes}, {"bytes_unshared", plan.bytes_unshared}};
+    Object json = {{"passgraph", 1},
+                   {"extent", extent_json(plan.extent)},
+                   {"bytes", plan.bytes},
+                   {"bytes_unshared", plan.bytes_unshared}};
     for (const char* list : {"imports", "slots", "steps", "inlined", "boundaries", "culled", "outputs"})
         json[list] = Object::array();
     for (const Plan::Import& import : plan.imports)
-        json["imports"].push_back({{"name", import.name}, {"kind", kImportKinds[static_cast<size_t>(import.kind)]},
-                                   {"signal", info(import.signal).name}, {"extent", extent_json(import.extent)}});
+        json["imports"].push_back({{"name", import.name},
+                                   {"kind", kImportKinds[static_cast<size_t>(import.kind)]},
+                                   {"signal", info(import.signal).name},
+                                   {"extent", extent_json(import.extent)}});
     for (const Plan::Slot& slot : plan.slots)
-        json["slots"].push_back({{"format", name(slot.format)}, {"extent", extent_json(slot.extent)}, {"images", slot.images}});
+        json["slots"].push_back(
+            {{"format", name(slot.format)}, {"extent", extent_json(slot.extent)}, {"images", slot.images}});
     for (const Plan::Step& step : plan.steps)
         json["steps"].push_back(step_json(step, with_glsl));
     json["inlined"] = plan.inlined;
     for (const Plan::Boundary& boundary : plan.boundaries)
-        json["boundaries"].push_back({{"image", boundary.image}, {"reader", boundary.reader}, {"reason", boundary.reason}});
+        json["boundaries"].push_back(
+            {{"image", boundary.image}, {"reader", boundary.reader}, {"reason", boundary.reason}});
     for (const Plan::Culled& culled : plan.culled)
         json["culled"].push_back({{"pass", culled.pass}, {"reason", culled.reason}});
     for (const Plan::Output& output : plan.outputs)
-        json["outputs"].push_back({{"name", output.name}, {"image", output.image},
-                                   {"source", output.source == Plan::Read::Source::slot ? "slot" : "import"}, {"index", output.index},
-                                   {"signal", info(output.signal).name}, {"codec", output.codec.name}, {"extent", extent_json(output.extent)}});
+        json["outputs"].push_back({{"name", output.name},
+                                   {"image", output.image},
+                                   {"source", output.source == Plan::Read::Source::slot ? "slot" : "import"},
+                                   {"index", output.index},
+                                   {"signal", info(output.signal).name},
+                                   {"codec", output.codec.name},
+                                   {"extent", extent_json(output.extent)}});
     return json.dump(2) + "\n";
 }
 

@@ -29,9 +29,10 @@ int redrawn_steps(const Plan& plan, size_t changed)
     int count = 0;
     for (size_t i = changed; i < plan.steps.size(); ++i) {
         const Plan::Step& step = plan.steps[i];
-        const bool is_redrawn = i == changed || std::any_of(step.reads.begin(), step.reads.end(), [&](const Plan::Read& read) {
-            return read.source == Plan::Read::Source::slot && is_new[static_cast<size_t>(read.index)];
-        });
+        const bool is_redrawn =
+            i == changed || std::any_of(step.reads.begin(), step.reads.end(), [&](const Plan::Read& read) {
+                return read.source == Plan::Read::Source::slot && is_new[static_cast<size_t>(read.index)];
+            });
         count += is_redrawn;
         for (const Plan::Target& target : step.targets)
             is_new[static_cast<size_t>(target.slot)] = is_redrawn;
@@ -53,7 +54,8 @@ void add_step(std::string& text, const Plan& plan, size_t index)
     if (step.depth_slot >= 0)
         text += fmt::format("       depth   {}\n", slot_text(plan, step.depth_slot));
     for (const Plan::Uniform& uniform : step.uniforms)
-        text += fmt::format("       live    {}: a change concerns {} of {} steps\n", uniform.place, redrawn_steps(plan, index), plan.steps.size());
+        text += fmt::format("       live    {}: a change concerns {} of {} steps\n", uniform.place,
+                            redrawn_steps(plan, index), plan.steps.size());
 }
 
 std::string quoted(std::string_view text)
@@ -71,15 +73,17 @@ std::string quoted(std::string_view text)
 
 std::string to_text(const Plan& plan)
 {
-    std::string text = fmt::format("plan for {}x{}: {} steps, {} slots, {:.1f} MB ({:.1f} MB without sharing)\n", plan.extent.width,
-                                   plan.extent.height, plan.steps.size(), plan.slots.size(), megabytes(plan.bytes), megabytes(plan.bytes_unshared));
+    std::string text = fmt::format("plan for {}x{}: {} steps, {} slots, {:.1f} MB ({:.1f} MB without sharing)\n",
+                                   plan.extent.width, plan.extent.height, plan.steps.size(), plan.slots.size(),
+                                   megabytes(plan.bytes), megabytes(plan.bytes_unshared));
     text += "steps\n";
     for (size_t i = 0; i < plan.steps.size(); ++i)
         add_step(text, plan, i);
     text += "slots\n";
     for (size_t i = 0; i < plan.slots.size(); ++i) {
         const Plan::Slot& slot = plan.slots[i];
-        text += fmt::format("  {}. {} {}x{}  {}\n", i, name(slot.format), slot.extent.width, slot.extent.height, fmt::join(slot.images, ", then "));
+        text += fmt::format("  {}. {} {}x{}  {}\n", i, name(slot.format), slot.extent.width, slot.extent.height,
+                            fmt::join(slot.images, ", then "));
     }
     if (!plan.inlined.empty())
         text += fmt::format("kept in registers\n  {}\n", fmt::join(plan.inlined, ", "));
@@ -93,8 +97,8 @@ std::string to_text(const Plan& plan)
         text += fmt::format("  {}: {}\n", culled.pass, culled.reason);
     text += "outputs\n";
     for (const Plan::Output& output : plan.outputs)
-        text += fmt::format("  {}: {} as {} {}, {}x{}\n", output.name, output.image, info(output.signal).name, output.codec.name,
-                            output.extent.width, output.extent.height);
+        text += fmt::format("  {}: {} as {} {}, {}x{}\n", output.name, output.image, info(output.signal).name,
+                            output.codec.name, output.extent.width, output.extent.height);
     return text;
 }
 
@@ -114,7 +118,8 @@ std::string to_dot(const Plan& plan)
             for (size_t writer = reader; writer-- > 0;) {
                 const auto& targets = plan.steps[writer].targets;
                 const bool writes = plan.steps[writer].depth_slot == read.index ||
-                                    std::any_of(targets.begin(), targets.end(), [&](const auto& target) { return target.slot == read.index; });
+                                    std::any_of(targets.begin(), targets.end(),
+                                                [&](const auto& target) { return target.slot == read.index; });
                 if (!writes)
                     continue;
                 text += fmt::format("  step{} -> step{} [label={}];\n", writer, reader, quoted(read.image));
@@ -126,7 +131,8 @@ std::string to_dot(const Plan& plan)
         text += fmt::format("  output{} [label={}, shape=ellipse];\n", i, quoted(plan.outputs[i].name));
         for (size_t writer = plan.steps.size(); writer-- > 0;) {
             const auto& targets = plan.steps[writer].targets;
-            if (std::none_of(targets.begin(), targets.end(), [&](const auto& target) { return target.image == plan.outputs[i].image; }))
+            if (std::none_of(targets.begin(), targets.end(),
+                             [&](const auto& target) { return target.image == plan.outputs[i].image; }))
                 continue;
             text += fmt::format("  step{} -> output{};\n", writer, i);
             break;

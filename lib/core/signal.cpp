@@ -15,10 +15,13 @@ const std::vector<SignalInfo>& table()
     using enum Signal;
     using enum Guard;
     static const std::vector<SignalInfo> rows = {
-        {radiance, "radiance", "scene-linear RGB, Rec. 709 primaries", "W/(sr m2), relative", 3, zero_to_cap, kLargestHalf, true, false},
-        {radiance_alpha, "radiance_alpha", "scene-linear RGB, premultiplied alpha", "W/(sr m2), relative", 4, zero_to_cap, kLargestHalf, true, true},
+        {radiance, "radiance", "scene-linear RGB, Rec. 709 primaries", "W/(sr m2), relative", 3, zero_to_cap,
+         kLargestHalf, true, false},
+        {radiance_alpha, "radiance_alpha", "scene-linear RGB, premultiplied alpha", "W/(sr m2), relative", 4,
+         zero_to_cap, kLargestHalf, true, true},
         {display, "display", "sRGB-encoded RGB", "code / largest code", 3, zero_to_cap, 1.0f, true, false},
-        {display_alpha, "display_alpha", "sRGB-encoded RGB, premultiplied alpha", "code / largest code", 4, zero_to_cap, 1.0f, true, true},
+        {display_alpha, "display_alpha", "sRGB-encoded RGB, premultiplied alpha", "code / largest code", 4, zero_to_cap,
+         1.0f, true, true},
         {albedo, "albedo", "linear reflectance RGB", "1", 3, zero_to_cap, 1.0f, false, false},
         {material, "material", "specular, roughness, metallic", "1", 3, zero_to_cap, 1.0f, false, false},
         {normal, "normal", "unit vector, view space", "1", 3, unit_vector, 1.0f, false, false},
@@ -28,7 +31,8 @@ const std::vector<SignalInfo>& table()
         {mask, "mask", "coverage or occlusion", "1", 1, zero_to_cap, 1.0f, false, false},
         {velocity, "velocity", "movement since the last frame", "texels", 2, finite, kLargestHalf, false, false},
         {exposure, "exposure", "a multiplier of radiance", "1", 1, positive, kLargestHalf, false, false},
-        {color, "color", "generic: radiance or display, with or without alpha", "as given", 3, zero_to_cap, kLargestHalf, false, false},
+        {color, "color", "generic: radiance or display, with or without alpha", "as given", 3, zero_to_cap,
+         kLargestHalf, false, false},
     };
     return rows;
 }
@@ -42,10 +46,7 @@ const SignalInfo& info(Signal signal)
     return row;
 }
 
-const std::vector<SignalInfo>& all_signals()
-{
-    return table();
-}
+const std::vector<SignalInfo>& all_signals() { return table(); }
 
 std::optional<Signal> find_signal(std::string_view name)
 {

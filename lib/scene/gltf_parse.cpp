@@ -103,7 +103,11 @@ std::string one_line(std::string text)
     for (char& c : text)
         if (c == '\n')
             c = ' ';
-    return text.size() > kLongestMessage ? text.substr(0, kLongestMessage) + "…" : text;
+    if (text.size() > kLongestMessage) {
+        text.resize(kLongestMessage);
+        text.append("…");
+    }
+    return text;
 }
 
 } // namespace
@@ -118,9 +122,8 @@ Errors parse(File& file)
         tinygltf::TinyGLTF reader;
         reader.SetImageLoader(load_image, &store);
         reader.SetFsCallbacks({file_exists, same_path, read_file, nullptr, nullptr});
-        std::string folder = std::filesystem::path(file.path).parent_path().string();
-        if (folder.empty())
-            folder = ".";
+        const std::filesystem::path path(file.path);
+        const std::string folder = path.has_parent_path() ? path.parent_path().string() : std::string(".");
         const auto size = static_cast<unsigned int>(file.bytes.size());
         done = file.is_binary ? reader.LoadBinaryFromMemory(&file.model, &error, &warning,
                                                             reinterpret_cast<const unsigned char*>(file.bytes.data()),

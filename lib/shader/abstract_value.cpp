@@ -79,7 +79,8 @@ Component negate(const Component& a)
 Component multiply(const Component& a, const Component& b)
 {
     if (a.kind == Kind::number && b.kind == Kind::number) {
-        const auto [low, high] = std::minmax({a.lowest * b.lowest, a.lowest * b.highest, a.highest * b.lowest, a.highest * b.highest});
+        const auto [low, high] =
+            std::minmax({a.lowest * b.lowest, a.lowest * b.highest, a.highest * b.lowest, a.highest * b.highest});
         return std::isnan(low) || std::isnan(high) ? Component::unknown() : Component::number(low, high);
     }
     if (a.kind == Kind::texels && b.kind == Kind::number)

@@ -46,7 +46,8 @@ Component as_integer(const Component& a, bool is_signed);
 template <class Function>
 Component map_ends(const Component& a, const Function& function)
 {
-    return a.kind == Component::Kind::number ? Component::number(function(a.lowest), function(a.highest)) : Component::unknown();
+    return a.kind == Component::Kind::number ? Component::number(function(a.lowest), function(a.highest))
+                                             : Component::unknown();
 }
 
 /// Applies an operation component by component; a scalar meets every component of the other.

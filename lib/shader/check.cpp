@@ -58,14 +58,16 @@ void explain(Error& error, const PassDeclaration& pass)
     }
     std::vector<std::string> globals;
     add_globals(pass.body, globals);
-    if (is_unknown_call && std::find(globals.begin(), globals.end(), name) == globals.end() && pass.find_input(name) < 0) {
+    if (is_unknown_call && std::find(globals.begin(), globals.end(), name) == globals.end() &&
+        pass.find_input(name) < 0) {
         error.code = "undeclared_input";
         error.message = fmt::format("`{}` is called, but no input or function has that name", name);
         std::vector<std::string> known = globals;
         for (const InputPort& port : pass.inputs)
             known.push_back(port.name);
         const std::string near = closest(name, known);
-        error.hint = near.empty() ? fmt::format("declare it: \"inputs\": {{ \"{}\": \"radiance\" }}", name) : fmt::format("did you mean `{}`?", near);
+        error.hint = near.empty() ? fmt::format("declare it: \"inputs\": {{ \"{}\": \"radiance\" }}", name)
+                                  : fmt::format("did you mean `{}`?", near);
     } else if (is_unknown_name) {
         error.hint = "parameters are declared in the header's \"params\"";
     } else {
@@ -76,7 +78,9 @@ void explain(Error& error, const PassDeclaration& pass)
 /// Whether the preprocessor leaves the same text in every program: names are renamed there, and extensions differ.
 bool is_same_everywhere(const GlslText& text)
 {
-    const auto is_own = [&](std::string_view name) { return std::find(text.macros.begin(), text.macros.end(), name) != text.macros.end(); };
+    const auto is_own = [&](std::string_view name) {
+        return std::find(text.macros.begin(), text.macros.end(), name) != text.macros.end();
+    };
     const auto varies = [](std::string_view name) { return name.starts_with("__") || name.starts_with("GL_"); };
     for (const GlslToken& token : scan_glsl(text.text, 1, 1)) {
         const auto words = token.is_directive ? scan_glsl(token.text.substr(1), 1, 1) : std::vector<GlslToken>{token};
@@ -84,10 +88,12 @@ bool is_same_everywhere(const GlslText& text)
         for (const GlslToken& word : words) {
             if (varies(word.text) || (asks && word.is_identifier && !is_own(word.text)))
                 return false;
-            asks = word.text == "ifdef" || word.text == "ifndef" || word.text == "defined" || (asks && word.text == "(");
+            asks =
+                word.text == "ifdef" || word.text == "ifndef" || word.text == "defined" || (asks && word.text == "(");
         }
     }
-    return std::all_of(text.includes.begin(), text.includes.end(), [](const auto& include) { return is_same_everywhere(*include); });
+    return std::all_of(text.includes.begin(), text.includes.end(),
+                       [](const auto& include) { return is_same_everywhere(*include); });
 }
 
 std::string signature(const PassDeclaration& pass)
@@ -121,9 +127,13 @@ std::vector<Entry> entries_of(const PassDeclaration& pass)
         }
         return {entry};
     }
-    Entry vertex{pass.name + "_vertex(vf3;vf3;vf2;vf3;vf3;vf2;",
-                 fmt::format("void {}_vertex(vec3 position, vec3 normal, vec2 texcoord, out vec3 placed, out vec3 facing, out vec2 uv)", pass.name)};
-    Entry surface{pass.name + "_surface(vf3;vf3;vf2;", fmt::format("void {}_surface(vec3 placed, vec3 facing, vec2 uv", pass.name)};
+    Entry vertex{
+        pass.name + "_vertex(vf3;vf3;vf2;vf3;vf3;vf2;",
+        fmt::format(
+            "void {}_vertex(vec3 position, vec3 normal, vec2 texcoord, out vec3 placed, out vec3 facing, out vec2 uv)",
+            pass.name)};
+    Entry surface{pass.name + "_surface(vf3;vf3;vf2;",
+                  fmt::format("void {}_surface(vec3 placed, vec3 facing, vec2 uv", pass.name)};
     for (const OutputPort& port : pass.outputs) {
         if (port.signal == Signal::depth)
             continue;
@@ -149,14 +159,18 @@ bool has_right_shape(const PassDeclaration& pass, const Entry& entry, const glsl
     }
     if (is_image && pass.outputs.size() == 1) {
         const bool is_vector = type.getBasicType() == glslang::EbtFloat && !type.isMatrix() && !type.isArray();
-        return outs.empty() && is_vector && static_cast<int>(width_of(type)) == info(pass.outputs.front().signal).components;
+        return outs.empty() && is_vector &&
+               static_cast<int>(width_of(type)) == info(pass.outputs.front().signal).components;
     }
     return type.getBasicType() == glslang::EbtVoid && (entry.outs.empty() ? outs.size() == 3 : outs == entry.outs);
 }
 
 class Check {
 public:
-    explicit Check(PassDeclaration& pass) : pass_(pass), is_used_(pass.inputs.size(), false), access_(pass.inputs.size()) {}
+    explicit Check(PassDeclaration& pass)
+        : pass_(pass), is_used_(pass.inputs.size(), false), access_(pass.inputs.size())
+    {
+    }
 
     Result<void> run()
     {
@@ -179,7 +193,8 @@ public:
             return tl::unexpected(std::move(errors_));
         for (size_t i = 0; i < pass_.inputs.size(); ++i)
             if (pass_.inputs[i].over != Over::scene)
-                pass_.inputs[i].access = is_complete ? access_[i].value_or(Access{AccessClass::size_only, 0}) : Access{};
+                pass_.inputs[i].access =
+                    is_complete ? access_[i].value_or(Access{AccessClass::size_only, 0}) : Access{};
         return {};
     }
 
@@ -209,7 +224,8 @@ private:
         program.add_line("void main() {}");
         if (const auto parsed = ParsedShader::parse(program.take(), sources); !parsed)
             for (Error error : parsed.error()) {
-                if (error.message.find("no matching") != std::string::npos || error.message.find("undeclared") != std::string::npos)
+                if (error.message.find("no matching") != std::string::npos ||
+                    error.message.find("undeclared") != std::string::npos)
                     error.hint = "a common file sees no input or parameter: hand it what it needs as an argument";
                 report(std::move(error));
             }
@@ -261,24 +277,32 @@ private:
         const auto overloads = interpreter.overloads(name);
         const Location start{pass_.file, pass_.body.first_line, 0};
         if (overloads.empty()) {
-            report({"entry_missing", fmt::format("the file has no function `{}`", name), "write: " + entry.text, start});
+            report(
+                {"entry_missing", fmt::format("the file has no function `{}`", name), "write: " + entry.text, start});
             return;
         }
         const Location where{pass_.file, interpreter.function(overloads.front())->getLoc().line, 0};
-        if (!interpreter.has_function(entry.mangled) || !has_right_shape(pass_, entry, *interpreter.function(entry.mangled))) {
-            report({"entry_signature", fmt::format("`{}` has the wrong parameters or result", name), "write: " + entry.text, where});
+        if (!interpreter.has_function(entry.mangled) ||
+            !has_right_shape(pass_, entry, *interpreter.function(entry.mangled))) {
+            report({"entry_signature", fmt::format("`{}` has the wrong parameters or result", name),
+                    "write: " + entry.text, where});
             return;
         }
         const auto result = interpreter.run(entry.mangled, entry.has_uv);
         for (const std::string& mangled : result.recursive) {
             const std::string called = mangled.substr(0, mangled.find('('));
-            report({"glsl_error", fmt::format("`{}` calls itself", called), "GLSL has no recursion: write a loop",
+            report({"glsl_error",
+                    fmt::format("`{}` calls itself", called),
+                    "GLSL has no recursion: write a loop",
                     {pass_.file, interpreter.function(mangled)->getLoc().line, 0}});
         }
         for (const std::string& output : result.unwritten) {
-            report({"output_unwritten", output.empty() ? fmt::format("`{}` does not return a value on every path", name)
-                                                       : fmt::format("the output `{}` is not assigned on every path", output),
-                    output.empty() ? "return a value at its end" : fmt::format("assign {} before the first branch", output), where});
+            report({"output_unwritten",
+                    output.empty() ? fmt::format("`{}` does not return a value on every path", name)
+                                   : fmt::format("the output `{}` is not assigned on every path", output),
+                    output.empty() ? "return a value at its end"
+                                   : fmt::format("assign {} before the first branch", output),
+                    where});
         }
         for (size_t i = 0; is_access_due && i < result.readings.size(); ++i)
             join_reading(i, result.readings[i]);
@@ -295,7 +319,8 @@ private:
             known = found;
         else if (found.kind == AccessClass::size_only)
             return;
-        else if (known->kind == AccessClass::warp || found.kind == AccessClass::warp || known->radius == Access::kUnknownRadius || found.radius == Access::kUnknownRadius)
+        else if (known->kind == AccessClass::warp || found.kind == AccessClass::warp ||
+                 known->radius == Access::kUnknownRadius || found.radius == Access::kUnknownRadius)
             known = Access{AccessClass::gather, Access::kUnknownRadius};
         else
             known = Access{AccessClass::gather, std::max(known->radius, found.radius)};
@@ -305,9 +330,13 @@ private:
     {
         for (size_t i = 0; i < pass_.inputs.size(); ++i) {
             const InputPort& port = pass_.inputs[i];
-            const bool gives_size = std::any_of(pass_.outputs.begin(), pass_.outputs.end(), [&](const OutputPort& o) { return o.size_of == port.name; });
+            const bool gives_size = std::any_of(pass_.outputs.begin(), pass_.outputs.end(),
+                                                [&](const OutputPort& o) { return o.size_of == port.name; });
             if (!is_used_[i] && port.over != Over::scene && !gives_size)
-                report({"input_unused", fmt::format("the input `{}` is never read", port.name), fmt::format("call {}({}), or remove it", port.name, port.over == Over::sphere ? "direction, lod" : "uv"), port.where});
+                report({"input_unused", fmt::format("the input `{}` is never read", port.name),
+                        fmt::format("call {}({}), or remove it", port.name,
+                                    port.over == Over::sphere ? "direction, lod" : "uv"),
+                        port.where});
         }
     }
 
@@ -319,9 +348,6 @@ private:
 
 } // namespace
 
-Result<void> check_and_derive(PassDeclaration& pass)
-{
-    return Check(pass).run();
-}
+Result<void> check_and_derive(PassDeclaration& pass) { return Check(pass).run(); }
 
 } // namespace passgraph::shader

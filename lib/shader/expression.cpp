@@ -19,7 +19,9 @@ namespace {
 /// A common file is read as a pass whose body includes it: one reader, one set of rules.
 std::string wrapper_of(const std::string& name)
 {
-    return fmt::format("/*{{ \"pass\": \"scope\", \"outputs\": {{ \"value\": \"exposure\" }} }}*/\n#include \"{}\"\nfloat scope(vec2 uv) {{ return 0.0; }}\n", name);
+    return fmt::format("/*{{ \"pass\": \"scope\", \"outputs\": {{ \"value\": \"exposure\" }} }}*/\n#include "
+                       "\"{}\"\nfloat scope(vec2 uv) {{ return 0.0; }}\n",
+                       name);
 }
 
 std::string without_main(std::string text)
@@ -59,7 +61,10 @@ Result<ExpressionScope> load_expression_scope(const std::string& path, const std
         param.is_static = true;
     folded.reads = {};
     if ((*pass)->reads.camera || (*pass)->reads.lights || (*pass)->reads.frame || (*pass)->reads.elements)
-        return fail({"scope_needs_host", fmt::format("`{}` reads what only a frame can give", path), "include a common file instead", {path, 1, 1}});
+        return fail({"scope_needs_host",
+                     fmt::format("`{}` reads what only a frame can give", path),
+                     "include a common file instead",
+                     {path, 1, 1}});
     if (!is_pass) { // the file's own names, not renamed
         glsl::ProgramText program(scope.sources);
         program.add_flat(*folded.body.includes.front());
@@ -70,13 +75,16 @@ Result<ExpressionScope> load_expression_scope(const std::string& path, const std
     return scope;
 }
 
-Result<int> expression_components(const ExpressionScope& scope, const std::string& expression, const std::vector<std::string>& columns)
+Result<int> expression_components(const ExpressionScope& scope, const std::string& expression,
+                                  const std::vector<std::string>& columns)
 {
     std::string head = "#version 330 core\n" + scope.declarations + "#line 1 0\nvoid main()\n{\n";
     for (const std::string& column : columns)
         head += fmt::format("    float {} = 0.0;\n", column);
     Errors first;
-    const std::vector<std::string> tries = {"bool passgraph_value = {};", "float passgraph_value = {};", "vec2 passgraph_value = {};", "vec3 passgraph_value = {};", "vec4 passgraph_value = {};"};
+    const std::vector<std::string> tries = {"bool passgraph_value = {};", "float passgraph_value = {};",
+                                            "vec2 passgraph_value = {};", "vec3 passgraph_value = {};",
+                                            "vec4 passgraph_value = {};"};
     // Only integers become floats by themselves, so one type fits; a boolean is a number, too.
     for (int components = 4; components >= 0; --components) {
         const std::string statement = fmt::format(fmt::runtime(tries[static_cast<size_t>(components)]), expression);

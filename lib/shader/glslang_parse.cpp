@@ -43,7 +43,8 @@ Errors errors_of(const std::string& log, const std::vector<std::string>& sources
         message.erase(0, message.find_first_not_of(' '));
         if (message.find("compilation terminated") != std::string::npos)
             continue;
-        const Location where{source < sources.size() ? sources[source] : "generated", to_int(rest.substr(first + 1, second - first - 1)), 0};
+        const Location where{source < sources.size() ? sources[source] : "generated",
+                             to_int(rest.substr(first + 1, second - first - 1)), 0};
         // What follows on the same line follows from its first mistake.
         if (errors.empty() || errors.back().where != where)
             errors.push_back({"glsl_error", std::move(message), "", where});
@@ -68,9 +69,6 @@ Result<ParsedShader> ParsedShader::parse(const std::string& text, const std::vec
     return parsed;
 }
 
-TIntermNode* ParsedShader::root() const
-{
-    return shader_->getIntermediate()->getTreeRoot();
-}
+TIntermNode* ParsedShader::root() const { return shader_->getIntermediate()->getTreeRoot(); }
 
 } // namespace passgraph::shader

@@ -16,10 +16,7 @@ namespace {
 constexpr int kMostSteps = 100000;
 constexpr size_t kDeepestCall = 100;
 
-unsigned all_components(const TType& type)
-{
-    return (1u << width_of(type)) - 1u;
-}
+unsigned all_components(const TType& type) { return (1u << width_of(type)) - 1u; }
 
 } // namespace
 
@@ -27,7 +24,8 @@ Access access_of(const Reading& reading)
 {
     const int bounded = reading.at_pixel + reading.near_pixel;
     constexpr double kWidestRadius = 65536.0; // no picture is wider
-    if (reading.is_unbounded || reading.computed > 1 || (reading.computed == 1 && bounded > 0) || reading.radius > kWidestRadius)
+    if (reading.is_unbounded || reading.computed > 1 || (reading.computed == 1 && bounded > 0) ||
+        reading.radius > kWidestRadius)
         return {AccessClass::gather, Access::kUnknownRadius};
     if (reading.computed == 1)
         return {AccessClass::warp, Access::kUnknownRadius};
@@ -77,7 +75,8 @@ Interpreter::Result Interpreter::run(const std::string& function, bool has_uv)
     bool is_uv_due = has_uv;
     for (const TIntermSymbol* parameter : parameters_of(entry)) {
         const bool is_uv = is_uv_due && width_of(parameter->getType()) == 2 && !is_out(*parameter);
-        arguments.push_back(is_uv ? AbstractValue{Component::uv(0), Component::uv(1)} : unknown_of(parameter->getType()));
+        arguments.push_back(is_uv ? AbstractValue{Component::uv(0), Component::uv(1)}
+                                  : unknown_of(parameter->getType()));
         is_uv_due = is_uv_due && !is_uv;
         if (is_out(*parameter))
             now_.written[parameter->getId()] = 0;
@@ -98,10 +97,12 @@ Interpreter::Result Interpreter::run(const std::string& function, bool has_uv)
     for (const TIntermSymbol* parameter : parameters) {
         if (!is_out(*parameter))
             continue;
-        const bool is_written = std::all_of(frames_.back().exits.begin(), frames_.back().exits.end(), [&](const Environment& exit) {
-            const auto mask = exit.written.find(parameter->getId());
-            return !exit.is_reachable || (mask != exit.written.end() && mask->second == all_components(parameter->getType()));
-        });
+        const bool is_written =
+            std::all_of(frames_.back().exits.begin(), frames_.back().exits.end(), [&](const Environment& exit) {
+                const auto mask = exit.written.find(parameter->getId());
+                return !exit.is_reachable ||
+                       (mask != exit.written.end() && mask->second == all_components(parameter->getType()));
+            });
         if (!is_written)
             result.unwritten.emplace_back(parameter->getName().c_str());
     }
@@ -138,7 +139,8 @@ void Interpreter::run_statement(TIntermNode* node)
 {
     if (!node || !now_.is_reachable)
         return;
-    if (TIntermAggregate* aggregate = node->getAsAggregate(); aggregate && (aggregate->getOp() == EOpSequence || aggregate->getOp() == EOpScope)) {
+    if (TIntermAggregate* aggregate = node->getAsAggregate();
+        aggregate && (aggregate->getOp() == EOpSequence || aggregate->getOp() == EOpScope)) {
         for (TIntermNode* statement : aggregate->getSequence())
             run_statement(statement);
     } else if (TIntermSelection* selection = node->getAsSelectionNode()) {
@@ -202,7 +204,8 @@ bool Interpreter::bind_counter(TIntermLoop& loop, const Environment& before)
                 return false;
     const auto start = before.values.find(counter->getId());
     const AbstractValue bound = evaluate(test->getRight());
-    if (start == before.values.end() || start->second.front().kind != Component::Kind::number || bound.front().kind != Component::Kind::number)
+    if (start == before.values.end() || start->second.front().kind != Component::Kind::number ||
+        bound.front().kind != Component::Kind::number)
         return false;
     const Component from = start->second.front();
     const Component to = bound.front();
@@ -279,7 +282,8 @@ void Interpreter::run_branch(TIntermBranch& node)
         if (!breaks_.empty())
             breaks_.back()->push_back(now_);
         break;
-    default: break; // continue, discard: this path ends here
+    default:
+        break; // continue, discard: this path ends here
     }
     now_.is_reachable = false;
 }
@@ -287,7 +291,8 @@ void Interpreter::run_branch(TIntermBranch& node)
 AbstractValue Interpreter::enter(const TIntermAggregate& function, const std::vector<AbstractValue>& arguments,
                                  const std::vector<TIntermNode*>& places)
 {
-    const bool is_recursive = std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) { return frame.function == &function; });
+    const bool is_recursive =
+        std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) { return frame.function == &function; });
     if (is_recursive)
         recursive_.emplace_back(function.getName().c_str());
     if (is_recursive || frames_.size() > kDeepestCall) {
@@ -299,7 +304,8 @@ AbstractValue Interpreter::enter(const TIntermAggregate& function, const std::ve
     std::swap(outer_breaks, breaks_);
     frames_.push_back({&function, {}, {}});
     for (size_t i = 0; i < parameters.size(); ++i) {
-        now_.values[parameters[i]->getId()] = i < arguments.size() ? arguments[i] : unknown_of(parameters[i]->getType());
+        now_.values[parameters[i]->getId()] =
+            i < arguments.size() ? arguments[i] : unknown_of(parameters[i]->getType());
         if (is_out(*parameters[i]))
             now_.written[parameters[i]->getId()] = 0;
     }
@@ -334,7 +340,8 @@ void Interpreter::copy_out(const TIntermAggregate& function, const std::vector<T
         const bool is_second = std::find(seen.begin(), seen.end(), base->getId()) != seen.end();
         const bool is_complete = now_.written[id] == all_components(parameters[i]->getType());
         const AbstractValue unknown = unknown_of(parameters[i]->getType());
-        assign(places[i], value == now_.values.end() || is_second ? unknown : AbstractValue(value->second), is_complete);
+        assign(places[i], value == now_.values.end() || is_second ? unknown : AbstractValue(value->second),
+               is_complete);
         if (is_second)
             now_.values[base->getId()] = unknown_of(base->getType());
         seen.push_back(base->getId());

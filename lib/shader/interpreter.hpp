@@ -15,10 +15,10 @@ namespace passgraph::shader {
 /// How one input was read, over every path of one entry.
 struct Reading {
     bool is_size_asked = false;
-    int at_pixel = 0;     ///< reads at uv itself
-    int near_pixel = 0;   ///< reads at a bounded number of texels from it
-    double radius = 0.0;  ///< the largest such number
-    int computed = 0;     ///< reads at places of which nothing is known
+    int at_pixel = 0;          ///< reads at uv itself
+    int near_pixel = 0;        ///< reads at a bounded number of texels from it
+    double radius = 0.0;       ///< the largest such number
+    int computed = 0;          ///< reads at places of which nothing is known
     bool is_unbounded = false; ///< a computed place in a loop, or a level of detail
 
     bool is_used() const { return is_size_asked || at_pixel + near_pixel + computed > 0 || is_unbounded; }
@@ -35,9 +35,9 @@ public:
     Interpreter(const PassDeclaration& pass, TIntermNode* root);
 
     struct Result {
-        std::vector<Reading> readings;          ///< as pass.inputs
-        std::vector<std::string> unwritten;     ///< out parameters, or "" for a missing return value
-        std::vector<std::string> recursive;     ///< mangled names of functions that call themselves
+        std::vector<Reading> readings;      ///< as pass.inputs
+        std::vector<std::string> unwritten; ///< out parameters, or "" for a missing return value
+        std::vector<std::string> recursive; ///< mangled names of functions that call themselves
     };
     /// Enters `function` (a mangled name); its first vec2 parameter called uv is the entry's uv when `has_uv`.
     Result run(const std::string& function, bool has_uv);
@@ -84,7 +84,8 @@ private:
     AbstractValue call(glslang::TIntermAggregate& node);
     AbstractValue enter(const glslang::TIntermAggregate& function, const std::vector<AbstractValue>& arguments,
                         const std::vector<TIntermNode*>& places);
-    AbstractValue record(const Accessor& accessor, const std::vector<AbstractValue>& arguments, const glslang::TType& type);
+    AbstractValue record(const Accessor& accessor, const std::vector<AbstractValue>& arguments,
+                         const glslang::TType& type);
     void assign(TIntermNode* place, const AbstractValue& value, bool counts_as_written = true);
     void copy_out(const glslang::TIntermAggregate& function, const std::vector<TIntermNode*>& places);
     void forget_assigned(TIntermNode* node);

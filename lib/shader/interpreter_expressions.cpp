@@ -75,16 +75,27 @@ AbstractValue Interpreter::evaluate_unary(TIntermUnary& node)
             result.push_back(negate(component));
         return fitted(std::move(result), node.getType());
     }
-    case EOpConvIntToFloat: case EOpConvUintToFloat: case EOpConvIntToUint: case EOpConvFloatToInt: return fitted(operand, node.getType());
-    case EOpFloor: return map_value(operand, [](double x) { return std::floor(x); });
-    case EOpCeil: return map_value(operand, [](double x) { return std::ceil(x); });
-    case EOpPreIncrement: case EOpPostIncrement: case EOpPreDecrement: case EOpPostDecrement: {
+    case EOpConvIntToFloat:
+    case EOpConvUintToFloat:
+    case EOpConvIntToUint:
+    case EOpConvFloatToInt:
+        return fitted(operand, node.getType());
+    case EOpFloor:
+        return map_value(operand, [](double x) { return std::floor(x); });
+    case EOpCeil:
+        return map_value(operand, [](double x) { return std::ceil(x); });
+    case EOpPreIncrement:
+    case EOpPostIncrement:
+    case EOpPreDecrement:
+    case EOpPostDecrement: {
         const bool rises = node.getOp() == EOpPreIncrement || node.getOp() == EOpPostIncrement;
-        const AbstractValue stepped = fitted(zip(operand, {Component::number(rises ? 1.0 : -1.0, rises ? 1.0 : -1.0)}, add), node.getType());
+        const AbstractValue stepped =
+            fitted(zip(operand, {Component::number(rises ? 1.0 : -1.0, rises ? 1.0 : -1.0)}, add), node.getType());
         assign(node.getOperand(), stepped);
         return node.getOp() == EOpPreIncrement || node.getOp() == EOpPreDecrement ? stepped : operand;
     }
-    default: return unknown_of(node.getType());
+    default:
+        return unknown_of(node.getType());
     }
 }
 
@@ -101,41 +112,65 @@ AbstractValue Interpreter::evaluate_binary(TIntermBinary& node)
         }
         return result;
     }
-    case EOpIndexDirect: case EOpIndexIndirect: {
+    case EOpIndexDirect:
+    case EOpIndexIndirect: {
         const AbstractValue index = right();
         const TType& type = node.getLeft()->getType();
         if (type.isArray() || type.isMatrix())
             return AbstractValue(width_of(node.getType()), left.front()); // one interval stands for every element
-        if (node.getOp() == EOpIndexDirect && index.front().kind == Component::Kind::number && index.front().lowest < static_cast<double>(left.size()))
+        if (node.getOp() == EOpIndexDirect && index.front().kind == Component::Kind::number &&
+            index.front().lowest < static_cast<double>(left.size()))
             return {left[static_cast<size_t>(index.front().lowest)]};
         return {Component::unknown()};
     }
-    case EOpAdd: return fitted(zip(left, right(), add), node.getType());
-    case EOpSub: return fitted(zip(left, right(), [](const Component& a, const Component& b) { return add(a, negate(b)); }), node.getType());
-    case EOpMul: case EOpVectorTimesScalar: return fitted(zip(left, right(), multiply), node.getType());
-    case EOpDiv: return fitted(zip(left, right(), divide), node.getType());
-    case EOpLogicalAnd: case EOpLogicalOr: { // the right side may be skipped; here the left one does come first
+    case EOpAdd:
+        return fitted(zip(left, right(), add), node.getType());
+    case EOpSub:
+        return fitted(zip(left, right(), [](const Component& a, const Component& b) { return add(a, negate(b)); }),
+                      node.getType());
+    case EOpMul:
+    case EOpVectorTimesScalar:
+        return fitted(zip(left, right(), multiply), node.getType());
+    case EOpDiv:
+        return fitted(zip(left, right(), divide), node.getType());
+    case EOpLogicalAnd:
+    case EOpLogicalOr: { // the right side may be skipped; here the left one does come first
         const Environment skipped = now_;
         evaluate(node.getRight());
         now_ = join_environments({skipped, now_});
         return unknown_of(node.getType());
     }
-    case EOpIndexDirectStruct: return unknown_of(node.getType());
-    default: right(); return unknown_of(node.getType());
+    case EOpIndexDirectStruct:
+        return unknown_of(node.getType());
+    default:
+        right();
+        return unknown_of(node.getType());
     }
 }
 
 AbstractValue Interpreter::evaluate_assignment(TIntermBinary& node)
 {
-    const AbstractValue left = evaluate_beside(node.getLeft(), {node.getRight()}); // of `a[i] = x`, too: i may read an input
+    const AbstractValue left =
+        evaluate_beside(node.getLeft(), {node.getRight()}); // of `a[i] = x`, too: i may read an input
     const AbstractValue right = evaluate_beside(node.getRight(), {node.getLeft()});
     AbstractValue value;
     switch (node.getOp()) {
-    case EOpAssign: value = right; break;
-    case EOpAddAssign: value = fitted(zip(left, right, add), node.getType()); break;
-    case EOpSubAssign: value = fitted(zip(left, right, [](const Component& a, const Component& b) { return add(a, negate(b)); }), node.getType()); break;
-    case EOpMulAssign: case EOpVectorTimesScalarAssign: value = fitted(zip(left, right, multiply), node.getType()); break;
-    default: value = unknown_of(node.getLeft()->getType());
+    case EOpAssign:
+        value = right;
+        break;
+    case EOpAddAssign:
+        value = fitted(zip(left, right, add), node.getType());
+        break;
+    case EOpSubAssign:
+        value = fitted(zip(left, right, [](const Component& a, const Component& b) { return add(a, negate(b)); }),
+                       node.getType());
+        break;
+    case EOpMulAssign:
+    case EOpVectorTimesScalarAssign:
+        value = fitted(zip(left, right, multiply), node.getType());
+        break;
+    default:
+        value = unknown_of(node.getLeft()->getType());
     }
     assign(node.getLeft(), value);
     return value;
@@ -149,12 +184,15 @@ void Interpreter::assign(TIntermNode* place, const AbstractValue& value, bool co
     const std::vector<size_t> components = components_of(place);
     AbstractValue& held = now_.values.try_emplace(symbol->getId(), unknown_of(symbol->getType())).first->second;
     if (components.empty()) {
-        held = unknown_of(symbol->getType()); // an element of an array, a member of a struct: nothing is known of the whole
+        held = unknown_of(
+            symbol->getType()); // an element of an array, a member of a struct: nothing is known of the whole
     } else if (place->getAsSymbolNode()) {
         held = value;
     } else {
         for (size_t i = 0; i < components.size() && components[i] < held.size(); ++i)
-            held[components[i]] = value.size() == 1 ? value.front() : i < value.size() ? value[i] : Component::unknown();
+            held[components[i]] = value.size() == 1  ? value.front()
+                                  : i < value.size() ? value[i]
+                                                     : Component::unknown();
     }
     if (const auto written = now_.written.find(symbol->getId()); counts_as_written && written != now_.written.end())
         for (const size_t component : components)
@@ -228,7 +266,9 @@ AbstractValue Interpreter::evaluate_builtin(TIntermAggregate& node)
     for (TIntermNode* argument : all)
         arguments.push_back(evaluate_beside(argument, all));
     const auto lower = [](const Component& a, const Component& b) { return clamped(a, a, b); };
-    const auto higher = [](const Component& a, const Component& b) { return negate(clamped(negate(a), negate(a), negate(b))); };
+    const auto higher = [](const Component& a, const Component& b) {
+        return negate(clamped(negate(a), negate(a), negate(b)));
+    };
     if (op == EOpMin)
         return zip(arguments[0], arguments[1], lower);
     if (op == EOpMax)
@@ -245,7 +285,8 @@ AbstractValue Interpreter::call(TIntermAggregate& node)
     std::vector<AbstractValue> arguments;
     std::vector<TIntermNode*> places;
     const auto function = functions_.find(node.getName().c_str());
-    const auto parameters = function == functions_.end() ? std::vector<TIntermSymbol*>{} : parameters_of(*function->second);
+    const auto parameters =
+        function == functions_.end() ? std::vector<TIntermSymbol*>{} : parameters_of(*function->second);
     const std::vector<TIntermNode*> all(node.getSequence().begin(), node.getSequence().end());
     for (size_t i = 0; i < all.size(); ++i) {
         places.push_back(all[i]);
@@ -260,7 +301,8 @@ AbstractValue Interpreter::call(TIntermAggregate& node)
     return enter(*function->second, arguments, places);
 }
 
-AbstractValue Interpreter::record(const Accessor& accessor, const std::vector<AbstractValue>& arguments, const TType& type)
+AbstractValue Interpreter::record(const Accessor& accessor, const std::vector<AbstractValue>& arguments,
+                                  const TType& type)
 {
     Reading& reading = readings_[static_cast<size_t>(accessor.input)];
     switch (accessor.kind) {
@@ -268,18 +310,22 @@ AbstractValue Interpreter::record(const Accessor& accessor, const std::vector<Ab
         reading.is_size_asked = true;
         return {Component::texels(1.0, accessor.input, 0), Component::texels(1.0, accessor.input, 1)};
     }
-    case AccessorKind::size: case AccessorKind::sphere_size:
+    case AccessorKind::size:
+    case AccessorKind::sphere_size:
         reading.is_size_asked = true;
         return unknown_of(type);
-    case AccessorKind::sphere: case AccessorKind::level_read:
+    case AccessorKind::sphere:
+    case AccessorKind::level_read:
         reading.is_unbounded = true;
         return unknown_of(type);
-    case AccessorKind::read: break;
+    case AccessorKind::read:
+        break;
     }
     const AbstractValue& place = arguments.front();
     const auto is_near = [&](size_t axis) {
         const Component& c = place[axis];
-        return c.kind == Component::Kind::place && c.axis == static_cast<int>(axis) && (c.input < 0 || c.input == accessor.input);
+        return c.kind == Component::Kind::place && c.axis == static_cast<int>(axis) &&
+               (c.input < 0 || c.input == accessor.input);
     };
     if (place.size() == 2 && is_near(0) && is_near(1)) {
         const double radius = std::max(place[0].highest, place[1].highest);

@@ -30,23 +30,28 @@ IncludeFinder finder_in(std::vector<std::string> folders)
 std::vector<std::string> common_folders_of(const fs::path& file, const std::string& fallback)
 {
     const fs::path folder = file.parent_path();
-    std::vector<std::string> folders = {(folder / "common").string(), (folder / ".." / "common").lexically_normal().string()};
+    std::vector<std::string> folders = {(folder / "common").string(),
+                                        (folder / ".." / "common").lexically_normal().string()};
     if (!fallback.empty())
         folders.push_back(fallback);
     return folders;
 }
 
 /// Composites may use one another: each is declared as soon as those it names are.
-void declare_composites(std::vector<std::pair<std::string, std::shared_ptr<const GraphDescription>>> open, PassLibrary& library, Errors& errors)
+void declare_composites(std::vector<std::pair<std::string, std::shared_ptr<const GraphDescription>>> open,
+                        PassLibrary& library, Errors& errors)
 {
     bool has_progress = true;
     while (!open.empty() && has_progress) {
         has_progress = false;
         for (size_t i = 0; i < open.size(); ++i) {
             const auto& [family, description] = open[i];
-            const bool waits = std::any_of(description->passes.begin(), description->passes.end(), [&](const auto& pass) {
-                return std::any_of(open.begin(), open.end(), [&](const auto& other) { return other.second->composite_name == pass.pass.text; });
-            });
+            const bool waits =
+                std::any_of(description->passes.begin(), description->passes.end(), [&](const auto& pass) {
+                    return std::any_of(open.begin(), open.end(), [&](const auto& other) {
+                        return other.second->composite_name == pass.pass.text;
+                    });
+                });
             if (waits)
                 continue;
             auto declared = declare_composite(description, family, library);
@@ -60,7 +65,10 @@ void declare_composites(std::vector<std::pair<std::string, std::shared_ptr<const
         }
     }
     for (const auto& [family, description] : open)
-        errors.push_back({"cycle", fmt::format("the composite `{}` contains itself", description->composite_name), "cut the circle", {description->file, 1, 1}});
+        errors.push_back({"cycle",
+                          fmt::format("the composite `{}` contains itself", description->composite_name),
+                          "cut the circle",
+                          {description->file, 1, 1}});
 }
 
 } // namespace
@@ -82,7 +90,8 @@ Result<PassPtr> load_pass_file(const std::string& path, const std::string& fallb
     if (!text)
         return tl::unexpected(text.error());
     const fs::path file = fs::absolute(path);
-    return read_pass(*text, path, file.parent_path().filename().string(), common_folders_of(fs::path(path), fallback_common));
+    return read_pass(*text, path, file.parent_path().filename().string(),
+                     common_folders_of(fs::path(path), fallback_common));
 }
 
 Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, const std::string& fallback_common)
@@ -91,7 +100,8 @@ Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, c
     if (!fs::is_directory(folder, code))
         return fail({"file_missing", "there is no such folder", "name a folder that holds .glsl passes", {folder}});
     std::vector<fs::path> files;
-    for (auto entry = fs::recursive_directory_iterator(folder, code); entry != fs::recursive_directory_iterator(); entry.increment(code)) {
+    for (auto entry = fs::recursive_directory_iterator(folder, code); entry != fs::recursive_directory_iterator();
+         entry.increment(code)) {
         if (entry->is_directory(code) && entry->path().filename() == "common")
             entry.disable_recursion_pending();
         else if (entry->is_regular_file(code))
@@ -115,7 +125,8 @@ Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, c
             if (!description)
                 append(errors, description.error());
             else if (!description->composite_name.empty())
-                composites.emplace_back(file.parent_path().filename().string(), std::make_shared<const GraphDescription>(std::move(*description)));
+                composites.emplace_back(file.parent_path().filename().string(),
+                                        std::make_shared<const GraphDescription>(std::move(*description)));
         }
     }
     declare_composites(std::move(composites), library, errors);

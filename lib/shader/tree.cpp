@@ -12,21 +12,24 @@ size_t width_of(const TType& type)
     return type.isVector() && !type.isArray() ? static_cast<size_t>(type.getVectorSize()) : 1;
 }
 
-AbstractValue unknown_of(const TType& type)
-{
-    return AbstractValue(width_of(type), Component::unknown());
-}
+AbstractValue unknown_of(const TType& type) { return AbstractValue(width_of(type), Component::unknown()); }
 
 namespace {
 
 double number_of(const TConstUnion& constant)
 {
     switch (constant.getType()) {
-    case EbtInt: return constant.getIConst();
-    case EbtUint: return constant.getUConst();
-    case EbtBool: return constant.getBConst() ? 1.0 : 0.0;
-    case EbtFloat: case EbtDouble: return constant.getDConst();
-    default: return std::numeric_limits<double>::quiet_NaN();
+    case EbtInt:
+        return constant.getIConst();
+    case EbtUint:
+        return constant.getUConst();
+    case EbtBool:
+        return constant.getBConst() ? 1.0 : 0.0;
+    case EbtFloat:
+    case EbtDouble:
+        return constant.getDConst();
+    default:
+        return std::numeric_limits<double>::quiet_NaN();
     }
 }
 
@@ -55,7 +58,8 @@ public:
         const bool has_out = node->getOp() == EOpModf || node->getOp() == EOpFrexp;
         for (size_t i = 0; (is_call || has_out) && i < node->getSequence().size(); ++i) {
             const TQualifierList& qualifiers = node->getQualifierList();
-            const bool is_written = is_call ? i >= qualifiers.size() || qualifiers[i] == EvqOut || qualifiers[i] == EvqInOut : i == 1;
+            const bool is_written =
+                is_call ? i >= qualifiers.size() || qualifiers[i] == EvqOut || qualifiers[i] == EvqInOut : i == 1;
             if (is_written)
                 places.push_back(node->getSequence()[i]);
         }
@@ -89,8 +93,13 @@ TIntermSymbol* base_symbol(TIntermNode* place)
         return symbol;
     if (TIntermBinary* binary = place->getAsBinaryNode()) {
         switch (binary->getOp()) {
-        case EOpIndexDirect: case EOpIndexIndirect: case EOpIndexDirectStruct: case EOpVectorSwizzle: return base_symbol(binary->getLeft());
-        default: break;
+        case EOpIndexDirect:
+        case EOpIndexIndirect:
+        case EOpIndexDirectStruct:
+        case EOpVectorSwizzle:
+            return base_symbol(binary->getLeft());
+        default:
+            break;
         }
     }
     return nullptr;
@@ -105,10 +114,12 @@ std::vector<size_t> components_of(TIntermNode* place)
         return components;
     }
     TIntermBinary* binary = place->getAsBinaryNode();
-    if (!binary || !binary->getLeft()->getAsSymbolNode() || !binary->getLeft()->getType().isVector() || binary->getLeft()->getType().isArray())
+    if (!binary || !binary->getLeft()->getAsSymbolNode() || !binary->getLeft()->getType().isVector() ||
+        binary->getLeft()->getType().isArray())
         return {};
     if (binary->getOp() == EOpIndexDirect && binary->getRight()->getAsConstantUnion()) {
-        components.push_back(static_cast<size_t>(binary->getRight()->getAsConstantUnion()->getConstArray()[0].getIConst()));
+        components.push_back(
+            static_cast<size_t>(binary->getRight()->getAsConstantUnion()->getConstArray()[0].getIConst()));
     } else if (binary->getOp() == EOpVectorSwizzle) {
         for (TIntermNode* item : binary->getRight()->getAsAggregate()->getSequence())
             components.push_back(static_cast<size_t>(item->getAsConstantUnion()->getConstArray()[0].getIConst()));
@@ -124,10 +135,7 @@ std::vector<TIntermNode*> assigned_places(TIntermNode* node)
     return std::move(traverser.places);
 }
 
-bool is_assignment(TOperator op)
-{
-    return op >= EOpAssign && op <= EOpRightShiftAssign;
-}
+bool is_assignment(TOperator op) { return op >= EOpAssign && op <= EOpRightShiftAssign; }
 
 bool is_step(TOperator op)
 {

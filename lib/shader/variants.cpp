@@ -42,9 +42,11 @@ std::vector<Value> candidate_values(const Param& param)
         return values;
     if (param.type == ParamType::bool_)
         return {Value(0.0), Value(1.0)};
-    const double highest = param.type == ParamType::enum_ ? static_cast<double>(param.items.size()) - 1.0 : param.highest;
+    const double highest =
+        param.type == ParamType::enum_ ? static_cast<double>(param.items.size()) - 1.0 : param.highest;
     const double lowest = param.type == ParamType::enum_ ? 0.0 : param.lowest;
-    const bool is_whole = param.type == ParamType::enum_ || (param.type == ParamType::int_ && highest - lowest < kMostWholeNumbers);
+    const bool is_whole =
+        param.type == ParamType::enum_ || (param.type == ParamType::int_ && highest - lowest < kMostWholeNumbers);
     if (is_whole) {
         values.clear();
         for (double value = std::ceil(lowest); value <= highest; value += 1.0)
@@ -76,7 +78,8 @@ VariantList<Value> statics_of(const PassDeclaration& pass)
 {
     std::vector<std::vector<Value>> values;
     std::vector<Value> defaults;
-    const bool has_statics = std::any_of(pass.params.begin(), pass.params.end(), [](const Param& param) { return param.is_static; });
+    const bool has_statics =
+        std::any_of(pass.params.begin(), pass.params.end(), [](const Param& param) { return param.is_static; });
     for (const Param& param : pass.params) {
         if (!has_statics)
             break;

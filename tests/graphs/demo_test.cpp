@@ -15,7 +15,8 @@ namespace {
 const Scene& night_lamp()
 {
     static const Scene scene = [] {
-        auto loaded = load_scene(std::string(PASSGRAPH_SOURCE_DIR) + "/samples/deferred_demo/resources/scenes/night_lamp.scene.json");
+        auto loaded = load_scene(std::string(PASSGRAPH_SOURCE_DIR) +
+                                 "/samples/deferred_demo/resources/scenes/night_lamp.scene.json");
         if (!loaded)
             FAIL(to_text(loaded.error()));
         return std::move(*loaded);
@@ -36,8 +37,10 @@ std::array<double, 3> mean(const Picture& picture, double left, double bottom, d
 {
     std::array<double, 3> sum{};
     int count = 0;
-    for (int y = static_cast<int>(bottom * picture.extent.height); y < static_cast<int>(top * picture.extent.height); ++y) {
-        for (int x = static_cast<int>(left * picture.extent.width); x < static_cast<int>(right * picture.extent.width); ++x) {
+    for (int y = static_cast<int>(bottom * picture.extent.height); y < static_cast<int>(top * picture.extent.height);
+         ++y) {
+        for (int x = static_cast<int>(left * picture.extent.width); x < static_cast<int>(right * picture.extent.width);
+             ++x) {
             for (int c = 0; c < 3; ++c)
                 sum[static_cast<size_t>(c)] += picture.at(x, y, c);
             ++count;
@@ -60,11 +63,11 @@ TEST_CASE("the bloom stack shows the scene: night sky, stone floor, red sphere, 
     const auto lantern = mean(picture, 0.705, 0.47, 0.735, 0.54);
     const auto near_lamp = mean(picture, 0.66, 0.10, 0.80, 0.20);
     const auto far_left = mean(picture, 0.02, 0.10, 0.16, 0.20);
-    CHECK(sky[2] > sky[0]);                                  // blue
-    CHECK(sky[2] < 0.35);                                    // and dark
-    CHECK(sphere[0] > 4.0 * sphere[1]);                      // red
-    CHECK(lantern[0] > 0.7);                                 // bright
-    CHECK(lantern[0] > 1.3 * lantern[2]);                    // and warm
+    CHECK(sky[2] > sky[0]);                                               // blue
+    CHECK(sky[2] < 0.35);                                                 // and dark
+    CHECK(sphere[0] > 4.0 * sphere[1]);                                   // red
+    CHECK(lantern[0] > 0.7);                                              // bright
+    CHECK(lantern[0] > 1.3 * lantern[2]);                                 // and warm
     CHECK(near_lamp[0] / near_lamp[2] > 1.5 * far_left[0] / far_left[2]); // the lamp's light on the stones is warm too
 }
 
@@ -123,7 +126,8 @@ TEST_CASE("the demo creates no GL object after its first frame, and its frames a
         run.scene = &night_lamp();
         run.frames = 4;
         std::vector<Renderer::Counters> counters;
-        const Picture fourth = run_graph(sample_graph(std::string("deferred_demo/") + name), run, &counters).at("color");
+        const Picture fourth =
+            run_graph(sample_graph(std::string("deferred_demo/") + name), run, &counters).at("color");
         CHECK(counters.back().objects_created == counters.front().objects_created);
         run.frames = 1;
         const Picture first = run_graph(sample_graph(std::string("deferred_demo/") + name), run).at("color");
@@ -161,7 +165,7 @@ TEST_CASE("the photo stack brightens, glows and frames any picture", "[graphs][p
     run.pictures = {{"photo", photo}};
     const Picture shown = run_graph(sample_graph("photo_stack/photo_stack.graph.json"), run).at("color");
     CHECK(shown.extent == photo.extent);
-    CHECK(shown.at(24, 16) > 0.9f);                      // the lamp
-    CHECK(shown.at(29, 16) > shown.at(40, 16) + 0.01f);  // its glow
-    CHECK(shown.at(0, 0) < shown.at(12, 16));            // the corner
+    CHECK(shown.at(24, 16) > 0.9f);                     // the lamp
+    CHECK(shown.at(29, 16) > shown.at(40, 16) + 0.01f); // its glow
+    CHECK(shown.at(0, 0) < shown.at(12, 16));           // the corner
 }

@@ -24,7 +24,8 @@ Graph graph_of(const std::string& text, const PassLibrary& library = builtin_pas
 Graph sample_graph(const std::string& path_below_samples);
 
 /// Compiles, renders and reads every output. `counters` receives the renderer's, when given.
-std::map<std::string, Picture> run_graph(const Graph& graph, GraphRun run, std::vector<Renderer::Counters>* counters = nullptr);
+std::map<std::string, Picture> run_graph(const Graph& graph, GraphRun run,
+                                         std::vector<Renderer::Counters>* counters = nullptr);
 
 /// The largest absolute difference between two pictures of equal shape.
 float largest_difference(const Picture& a, const Picture& b);

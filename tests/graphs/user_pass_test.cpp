@@ -15,7 +15,9 @@ namespace {
 
 /// A folder of its own for each test, removed afterwards.
 struct Folder {
-    Folder() : path(std::filesystem::temp_directory_path() / ("passgraph_user_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))))
+    Folder()
+        : path(std::filesystem::temp_directory_path() /
+               ("passgraph_user_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))))
     {
         std::filesystem::create_directories(path / "common");
     }
@@ -50,7 +52,8 @@ vec3 grey(vec2 uv)
         "rim":  { "pass": "vignette", "inputs": { "image": "mine" }, "params": { "amount": 0 }, "codecs": { "color": "rgba32f" } }
       },
       "outputs": { "color": "rim" }
-    })", library);
+    })",
+                                 library);
     GraphRun run;
     run.options.extent = {4, 4};
     run.pictures = {{"picture", constant({4, 4}, {0.25f, 0.5f, 0.75f})}};
@@ -63,7 +66,8 @@ vec3 grey(vec2 uv)
 TEST_CASE("a port may be called like a member of what the pass reads", "[graphs][user]")
 {
     Folder folder;
-    folder.write("shine.glsl", R"(/*{ "pass": "shine", "summary": "The first lamp's color, seen from a place.", "source": "a test",
+    folder.write("shine.glsl",
+                 R"(/*{ "pass": "shine", "summary": "The first lamp's color, seen from a place.", "source": "a test",
   "reads": ["lights"], "inputs": { "position": "position" }, "outputs": { "lit": "radiance" }, "params": { "color": 2.0 } }*/
 struct Seen { vec3 position; vec3 color; };
 vec3 shine(vec2 uv)
@@ -80,7 +84,8 @@ vec3 shine(vec2 uv)
       "inputs": { "places": "position" },
       "passes": { "lit": { "pass": "shine", "inputs": { "position": "places" }, "codecs": { "lit": "rgba32f" } } },
       "outputs": { "lit": "lit" }
-    })", library);
+    })",
+                                 library);
     Scene scene;
     scene.lights.push_back({});
     scene.lights.back().color = {0.5f, 1.0f, 2.0f};

@@ -63,11 +63,17 @@ Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclar
         arguments.inputs.push_back({name, graph.picture(name, declared == Signal::color ? run.generic : declared)});
     }
     for (const auto& [name, faces] : run.cubes)
-        arguments.inputs.push_back({name, graph.cube(name, pass.inputs[static_cast<size_t>(pass.find_input(name))].signal)});
+        arguments.inputs.push_back(
+            {name, graph.cube(name, pass.inputs[static_cast<size_t>(pass.find_input(name))].signal)});
     for (const auto& [name, text] : run.settings)
         arguments.settings.push_back(setting_of(name, text));
     for (const OutputPort& port : pass.outputs)
-        arguments.codecs.push_back({port.name, {}, port.signal == Signal::depth || port.signal == Signal::mask || port.signal == Signal::exposure ? "r32f" : "rgba32f", {}});
+        arguments.codecs.push_back(
+            {port.name,
+             {},
+             port.signal == Signal::depth || port.signal == Signal::mask || port.signal == Signal::exposure ? "r32f"
+                                                                                                            : "rgba32f",
+             {}});
     const AddedPass added = graph.add(run.pass, std::move(arguments));
     for (const OutputPort& port : pass.outputs)
         graph.output(port.name, added[port.name]);

@@ -20,10 +20,10 @@ struct PassRun {
     std::vector<std::pair<std::string, Picture>> inputs{};
     std::vector<std::pair<std::string, std::array<Picture, 6>>> cubes{};
     std::vector<std::pair<std::string, std::string>> settings{};
-    Signal generic = Signal::radiance;      ///< the signal a generic input is fed with
-    Extent extent{};                        ///< of the frame, when there are no inputs
-    std::vector<std::string> folders{};     ///< of further passes
-    const Scene* scene = nullptr;           ///< for geometry, camera and lights
+    Signal generic = Signal::radiance;  ///< the signal a generic input is fed with
+    Extent extent{};                    ///< of the frame, when there are no inputs
+    std::vector<std::string> folders{}; ///< of further passes
+    const Scene* scene = nullptr;       ///< for geometry, camera and lights
 };
 
 /// The outputs by name. A failure to compile or render fails the test with the errors' text.

@@ -15,7 +15,8 @@
 namespace passgraph::test {
 
 std::vector<std::vector<float>> evaluate(const std::string& expression, const std::vector<std::string>& includes,
-                                         const std::vector<std::string>& columns, const std::vector<std::vector<float>>& rows)
+                                         const std::vector<std::string>& columns,
+                                         const std::vector<std::vector<float>>& rows)
 {
     Context& context = test_context();
     ExpressionScope scope;
@@ -29,7 +30,8 @@ std::vector<std::vector<float>> evaluate(const std::string& expression, const st
     const auto components = expression_components(scope, expression, columns);
     if (!components)
         FAIL(to_text(components.error()));
-    const auto values = passgraph::evaluate({scope.declarations, scope.sources, expression, *components, columns, rows}, context.loader());
+    const auto values = passgraph::evaluate({scope.declarations, scope.sources, expression, *components, columns, rows},
+                                            context.loader());
     if (!values)
         FAIL(to_text(values.error()));
     return *values;

@@ -12,7 +12,8 @@ Context& test_context()
     static const std::unique_ptr<Context> context = [] {
         auto made = create_headless_context();
         if (!made) {
-            std::fprintf(stderr, "no context: %s\n  hint: %s\n", made.error().message.c_str(), made.error().hint.c_str());
+            std::fprintf(stderr, "no context: %s\n  hint: %s\n", made.error().message.c_str(),
+                         made.error().hint.c_str());
             std::exit(3);
         }
         return std::move(*made);

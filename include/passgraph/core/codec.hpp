@@ -13,10 +13,21 @@ namespace passgraph {
 
 /// Texel formats, by their OpenGL names in small letters.
 enum class Format : std::uint8_t {
-    r8, rg8, rgba8, srgb8_a8, rgb10_a2, rg16,
-    r16f, rg16f, rgba16f, r11f_g11f_b10f,
-    r32f, rg32f, rgba32f,
-    depth24, depth32f,
+    r8,
+    rg8,
+    rgba8,
+    srgb8_a8,
+    rgb10_a2,
+    rg16,
+    r16f,
+    rg16f,
+    rgba16f,
+    r11f_g11f_b10f,
+    r32f,
+    rg32f,
+    rgba32f,
+    depth24,
+    depth32f,
 };
 
 std::string_view name(Format format);

@@ -18,7 +18,7 @@ struct Device {
 };
 
 struct CompileOptions {
-    Extent extent{1280, 720}; ///< of the frame: geometry passes, and graphs without pictures
+    Extent extent{1280, 720};                        ///< of the frame: geometry passes, and graphs without pictures
     std::map<std::string, Extent> picture_extents{}; ///< of imported pictures, by name; else `extent`
     Device device{16384, 32, 8};
     bool fuse = true;  ///< false: every pass is a step of its own

@@ -108,8 +108,8 @@ struct Ratio {
 struct OutputPort {
     std::string name;
     Signal signal = Signal::color;
-    std::string size_of;             ///< an input whose extent is taken; "": the largest input
-    Ratio scale;                     ///< of that extent
+    std::string size_of;                      ///< an input whose extent is taken; "": the largest input
+    Ratio scale;                              ///< of that extent
     std::optional<std::array<int, 2>> texels; ///< or a fixed extent
     Location where;
 };
@@ -134,7 +134,7 @@ struct Layout {
 struct GlslText {
     std::string file; ///< for messages
     int first_line = 1;
-    std::string text; ///< without `#include` lines (they are blank)
+    std::string text;                 ///< without `#include` lines (they are blank)
     std::vector<std::string> globals; ///< functions, constants, structs
     std::vector<std::string> macros;  ///< #define'd in the text
     std::vector<std::shared_ptr<const GlslText>> includes;
@@ -159,7 +159,7 @@ struct PassDeclaration {
     GlslText body;
     std::shared_ptr<const GraphDescription> composite; ///< set when the pass is a graph file with ports
 
-    int find_input(std::string_view wanted) const;  ///< index or -1
+    int find_input(std::string_view wanted) const; ///< index or -1
     int find_output(std::string_view wanted) const;
     int find_param(std::string_view wanted) const;
     int find_selection(std::string_view wanted) const;

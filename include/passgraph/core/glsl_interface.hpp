@@ -13,8 +13,9 @@ namespace passgraph::glsl {
 // Names in generated programs.
 inline constexpr const char* kCameraBlock = "passgraph_camera_block";
 inline constexpr const char* kFrameBlock = "passgraph_frame_block";
-inline constexpr const char* kLightsBuffer = "passgraph_lights";     ///< samplerBuffer, kLightTexels RGBA32F each
-inline constexpr const char* kElement = "passgraph_element";         ///< vec4[kElementRows] uniform, per draw of a geometry step
+inline constexpr const char* kLightsBuffer = "passgraph_lights"; ///< samplerBuffer, kLightTexels RGBA32F each
+inline constexpr const char* kElement =
+    "passgraph_element"; ///< vec4[kElementRows] uniform, per draw of a geometry step
 inline constexpr const char* kBaseColorTexture = "passgraph_base_color_texture";
 inline constexpr const char* kMetallicRoughnessTexture = "passgraph_metallic_roughness_texture";
 inline constexpr const char* kEmissiveTexture = "passgraph_emissive_texture";
@@ -29,16 +30,17 @@ struct CameraBlock {
     std::array<float, 16> clip_from_view;
     std::array<float, 16> view_from_world; ///< rotation and translation
     std::array<float, 16> world_from_view;
-    std::array<float, 4> ray; ///< view_ray(uv) = vec3((uv * 2 - 1) * ray.xy + ray.zw, -1): the view-space place at z = -1
+    std::array<float, 4>
+        ray; ///< view_ray(uv) = vec3((uv * 2 - 1) * ray.xy + ray.zw, -1): the view-space place at z = -1
     std::array<float, 4> range; ///< near, far, 0, 0
 };
 static_assert(sizeof(CameraBlock) == 224);
 
 /// std140 block of the frame.
 struct FrameBlock {
-    float time = 0.0f;      ///< seconds, wrapped at 3600
-    float delta = 0.0f;     ///< seconds since the last frame
-    std::int32_t index = 0; ///< frame number
+    float time = 0.0f;       ///< seconds, wrapped at 3600
+    float delta = 0.0f;      ///< seconds since the last frame
+    std::int32_t index = 0;  ///< frame number
     std::int32_t is_cut = 1; ///< 1 when nothing of the last frame is to be trusted
     std::int32_t light_count = 0;
     std::int32_t padding[3] = {0, 0, 0};

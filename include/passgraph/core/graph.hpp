@@ -50,9 +50,13 @@ class AnyImage {
 public:
     explicit AnyImage(ImageRef ref) : ref_(ref) {}
     template <class Tag>
-    AnyImage(const Image<Tag>& image) : ref_(image.ref()) {}
+    AnyImage(const Image<Tag>& image) : ref_(image.ref())
+    {
+    }
     template <class Tag>
-    AnyImage(const Cube<Tag>& cube) : ref_(cube.ref()) {}
+    AnyImage(const Cube<Tag>& cube) : ref_(cube.ref())
+    {
+    }
     ImageRef ref() const { return ref_; }
 
 private:
@@ -115,9 +119,9 @@ struct PassArguments {
     };
     std::string name; ///< of the node; "": the pass's own, numbered when taken
     std::vector<Input> inputs;
-    std::vector<Setting> settings;                          ///< parameters, choices, rungs
-    std::vector<std::pair<std::string, Location>> statics;  ///< parameters to fold into the code
-    std::vector<PassArguments::Setting> codecs;             ///< output -> codec (`item`)
+    std::vector<Setting> settings;                         ///< parameters, choices, rungs
+    std::vector<std::pair<std::string, Location>> statics; ///< parameters to fold into the code
+    std::vector<PassArguments::Setting> codecs;            ///< output -> codec (`item`)
     std::optional<Ratio> scale;
     std::optional<AnyImage> size_of;
     Location where;
@@ -125,10 +129,10 @@ struct PassArguments {
 
 /// What a node may say beside its parameters and wires.
 struct NodeOptions {
-    std::string name{};                      ///< "": the pass's own, numbered when taken
-    std::optional<Ratio> scale{};            ///< of the largest input's extent
-    std::optional<AnyImage> size_of{};       ///< or the extent of this image
-    std::vector<std::string> statics{};      ///< parameters to fold into the code
+    std::string name{};                                        ///< "": the pass's own, numbered when taken
+    std::optional<Ratio> scale{};                              ///< of the largest input's extent
+    std::optional<AnyImage> size_of{};                         ///< or the extent of this image
+    std::vector<std::string> statics{};                        ///< parameters to fold into the code
     std::vector<std::pair<std::string, std::string>> codecs{}; ///< output -> codec
 };
 
@@ -195,7 +199,10 @@ public:
 
     /// For generated code: an untyped image that is known to have the tag's signal.
     template <class Tag>
-    static Image<Tag> typed(AnyImage image) { return Image<Tag>(image.ref()); }
+    static Image<Tag> typed(AnyImage image)
+    {
+        return Image<Tag>(image.ref());
+    }
 
     void report(Error error) { errors_.push_back(std::move(error)); }
 

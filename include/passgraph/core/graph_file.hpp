@@ -26,9 +26,9 @@ struct GraphDescription {
         Location where;
     };
     struct Reference {
-        std::string port;     ///< of the reading pass
-        NamedPlace image;     ///< "lit", "lit.radiance", "scene.sky"
-        Location where;       ///< of the port's name
+        std::string port; ///< of the reading pass
+        NamedPlace image; ///< "lit", "lit.radiance", "scene.sky"
+        Location where;   ///< of the port's name
     };
     struct Pass {
         std::string name;

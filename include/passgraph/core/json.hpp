@@ -60,10 +60,10 @@ public:
     /// `what` names the object in messages ("pass header", "light"). Reports wrong_type if `object` is none.
     JsonFields(const Json& object, std::string what, Errors& errors);
 
-    const Json* find(std::string_view key);                       ///< any type
-    const Json* require(std::string_view key);                    ///< field_missing when absent
-    const Json* find(std::string_view key, Json::Kind kind);      ///< wrong_type when of another kind
-    const Json* require(std::string_view key, Json::Kind kind);   ///< both
+    const Json* find(std::string_view key);                     ///< any type
+    const Json* require(std::string_view key);                  ///< field_missing when absent
+    const Json* find(std::string_view key, Json::Kind kind);    ///< wrong_type when of another kind
+    const Json* require(std::string_view key, Json::Kind kind); ///< both
     std::string text(std::string_view key, std::string fallback = "");
     double number(std::string_view key, double fallback);
     bool boolean(std::string_view key, bool fallback);

@@ -25,7 +25,8 @@ struct Picture {
     Picture() = default;
     Picture(Extent size, int channel_count)
         : extent(size), channels(channel_count),
-          texels(static_cast<size_t>(size.width) * static_cast<size_t>(size.height) * static_cast<size_t>(channel_count))
+          texels(static_cast<size_t>(size.width) * static_cast<size_t>(size.height) *
+                 static_cast<size_t>(channel_count))
     {
     }
 

@@ -33,12 +33,12 @@ struct Plan {
     struct Read {
         enum class Source : std::uint8_t { slot, import };
         Source source = Source::slot;
-        int index = 0;        ///< into `slots` or `imports`
-        std::string sampler;  ///< the uniform's name: sampler2D, or samplerCube for cube and sky imports
+        int index = 0;       ///< into `slots` or `imports`
+        std::string sampler; ///< the uniform's name: sampler2D, or samplerCube for cube and sky imports
         Filter filter = Filter::nearest;
         AddressMode wrap = AddressMode::clamp;
         bool has_levels = false; ///< sampled with mip levels (imports only)
-        std::string image;    ///< whose value it is, for people
+        std::string image;       ///< whose value it is, for people
     };
 
     /// A live parameter: `place` ("lit.exposure") is how people name it.
@@ -67,9 +67,9 @@ struct Plan {
         std::vector<Read> reads;
         std::vector<Uniform> uniforms;
         std::vector<Target> targets;
-        int depth_slot = -1;             ///< geometry: the depth attachment; -1 for draws
-        Reads host;                      ///< camera, lights, frame, elements: which blocks and buffers are bound
-        std::string vertex;              ///< complete GLSL 3.30 sources
+        int depth_slot = -1; ///< geometry: the depth attachment; -1 for draws
+        Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
+        std::string vertex;  ///< complete GLSL 3.30 sources
         std::string fragment;
         std::vector<std::string> sources; ///< file of each `#line` source number, for messages
     };

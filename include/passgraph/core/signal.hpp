@@ -40,11 +40,11 @@ struct SignalInfo {
     std::string_view name;
     std::string_view meaning;
     std::string_view unit;
-    int components;  ///< of a value as a pass sees it
+    int components; ///< of a value as a pass sees it
     Guard guard;
-    float cap;       ///< largest value of the domain
+    float cap;             ///< largest value of the domain
     bool is_generic_color; ///< a port of signal `color` accepts it
-    bool has_alpha;  ///< components counts the alpha
+    bool has_alpha;        ///< components counts the alpha
 };
 
 const SignalInfo& info(Signal signal);
@@ -58,18 +58,44 @@ std::string_view glsl_type(int components);
 bool accepts(Signal port, Signal image);
 
 // Tags that make a wrong wire a compile error: Image<Radiance> does not convert to Image<Display>.
-struct Radiance { static constexpr Signal signal = Signal::radiance; };
-struct RadianceAlpha { static constexpr Signal signal = Signal::radiance_alpha; };
-struct Display { static constexpr Signal signal = Signal::display; };
-struct DisplayAlpha { static constexpr Signal signal = Signal::display_alpha; };
-struct Albedo { static constexpr Signal signal = Signal::albedo; };
-struct MaterialSignal { static constexpr Signal signal = Signal::material; };
-struct Normal { static constexpr Signal signal = Signal::normal; };
-struct Position { static constexpr Signal signal = Signal::position; };
-struct Depth { static constexpr Signal signal = Signal::depth; };
-struct AtlasUv { static constexpr Signal signal = Signal::atlas_uv; };
-struct Mask { static constexpr Signal signal = Signal::mask; };
-struct Velocity { static constexpr Signal signal = Signal::velocity; };
-struct Exposure { static constexpr Signal signal = Signal::exposure; };
+struct Radiance {
+    static constexpr Signal signal = Signal::radiance;
+};
+struct RadianceAlpha {
+    static constexpr Signal signal = Signal::radiance_alpha;
+};
+struct Display {
+    static constexpr Signal signal = Signal::display;
+};
+struct DisplayAlpha {
+    static constexpr Signal signal = Signal::display_alpha;
+};
+struct Albedo {
+    static constexpr Signal signal = Signal::albedo;
+};
+struct MaterialSignal {
+    static constexpr Signal signal = Signal::material;
+};
+struct Normal {
+    static constexpr Signal signal = Signal::normal;
+};
+struct Position {
+    static constexpr Signal signal = Signal::position;
+};
+struct Depth {
+    static constexpr Signal signal = Signal::depth;
+};
+struct AtlasUv {
+    static constexpr Signal signal = Signal::atlas_uv;
+};
+struct Mask {
+    static constexpr Signal signal = Signal::mask;
+};
+struct Velocity {
+    static constexpr Signal signal = Signal::velocity;
+};
+struct Exposure {
+    static constexpr Signal signal = Signal::exposure;
+};
 
 } // namespace passgraph

@@ -22,7 +22,7 @@ struct Frame {
     double time = 0.0;         ///< seconds since the start
     double delta = 1.0 / 60.0; ///< seconds since the last frame
     int index = 0;
-    bool is_cut = false;       ///< nothing of the last frame is to be trusted; the first frame always is a cut
+    bool is_cut = false;            ///< nothing of the last frame is to be trusted; the first frame always is a cut
     const Camera* camera = nullptr; ///< nullptr: the scene's own
 };
 
@@ -39,9 +39,9 @@ struct StepTime {
 };
 
 struct RendererOptions {
-    GlLoader loader = nullptr;    ///< of the current context
-    bool is_timed = false;        ///< a timestamp after each step
-    bool restores_state = false;  ///< leave the host's GL state as it was found
+    GlLoader loader = nullptr;   ///< of the current context
+    bool is_timed = false;       ///< a timestamp after each step
+    bool restores_state = false; ///< leave the host's GL state as it was found
 };
 
 /// The limits of the current context. Errors: gl_too_old, gl_function_missing (lacks of the machine).

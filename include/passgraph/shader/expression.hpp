@@ -21,6 +21,7 @@ Result<ExpressionScope> load_expression_scope(const std::string& path, const std
 
 /// The number of components (1 to 4) of the expression's value, each of `columns` being a float variable.
 /// Errors   glsl_error when it does not compile, or its value is no float, integer, boolean or float vector.
-Result<int> expression_components(const ExpressionScope& scope, const std::string& expression, const std::vector<std::string>& columns);
+Result<int> expression_components(const ExpressionScope& scope, const std::string& expression,
+                                  const std::vector<std::string>& columns);
 
 } // namespace passgraph

@@ -23,7 +23,8 @@ std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws
     std::vector<Lifetime> sorted;
     for (const auto& [image, lifetime] : lifetimes)
         sorted.push_back(lifetime);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Lifetime& a, const Lifetime& b) { return a.first < b.first; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Lifetime& a, const Lifetime& b) { return a.first < b.first; });
     return sorted;
 }
 
@@ -31,7 +32,8 @@ std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws
 ///
 /// An image takes a new slot only when every slot of its kind holds an image that is still needed, so the number of slots of
 /// a kind is the largest number of its images alive at one time: no fewer can do.  O(images * slots).
-Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes, bool is_shared)
+Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes,
+               bool is_shared)
 {
     Slots result;
     std::vector<int> busy_until;
@@ -41,8 +43,9 @@ Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vec
         const std::int64_t bytes = static_cast<std::int64_t>(bytes_per_texel(format)) * extent.width * extent.height;
         result.bytes_unshared += bytes;
         size_t slot = 0;
-        while (slot < result.slots.size() && !(is_shared && result.slots[slot].format == format && result.slots[slot].extent == extent &&
-                                               busy_until[slot] < lifetime.first))
+        while (slot < result.slots.size() &&
+               !(is_shared && result.slots[slot].format == format && result.slots[slot].extent == extent &&
+                 busy_until[slot] < lifetime.first))
             ++slot;
         if (slot == result.slots.size()) {
             result.slots.push_back({format, extent, {}});

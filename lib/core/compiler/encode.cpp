@@ -26,7 +26,8 @@ Codec choose(const GraphNode& node, size_t output, Signal signal)
         from_layout && can_store(*node.pass, signal, *from_layout))
         return *from_layout;
     const auto& codecs = codecs_of(signal);
-    return *std::find_if(codecs.begin(), codecs.end(), [&](const Codec& codec) { return can_store(*node.pass, signal, codec); });
+    return *std::find_if(codecs.begin(), codecs.end(),
+                         [&](const Codec& codec) { return can_store(*node.pass, signal, codec); });
 }
 
 } // namespace

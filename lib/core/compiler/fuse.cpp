@@ -118,9 +118,11 @@ private:
             if (!reason.empty() || draw_of(image.node) != a || draw_of(reader) != b)
                 return;
             const InputPort& input = graph_.node(reader).pass->inputs[static_cast<size_t>(port)];
-            const bool is_at_pixel = input.access.kind == AccessClass::pointwise || input.access.kind == AccessClass::size_only;
+            const bool is_at_pixel =
+                input.access.kind == AccessClass::pointwise || input.access.kind == AccessClass::size_only;
             if (!is_at_pixel)
-                reason = fmt::format("{}.{} reads it as {}", graph_.node(reader).name, input.name, to_text(input.access));
+                reason =
+                    fmt::format("{}.{} reads it as {}", graph_.node(reader).name, input.name, to_text(input.access));
         });
         if (!reason.empty())
             return reason;
@@ -172,9 +174,12 @@ private:
         }
         constexpr int kHostBuffers = 1; // the lights
         if (static_cast<int>(textures.size()) + kHostBuffers > options_.device.max_texture_units)
-            return fmt::format("together they read {} textures, the device allows {}", textures.size(), options_.device.max_texture_units - kHostBuffers);
-        if (const size_t targets = stored_images(both).size(); static_cast<int>(targets) > options_.device.max_color_targets)
-            return fmt::format("together they store {} images, the device allows {}", targets, options_.device.max_color_targets);
+            return fmt::format("together they read {} textures, the device allows {}", textures.size(),
+                               options_.device.max_texture_units - kHostBuffers);
+        if (const size_t targets = stored_images(both).size();
+            static_cast<int>(targets) > options_.device.max_color_targets)
+            return fmt::format("together they store {} images, the device allows {}", targets,
+                               options_.device.max_color_targets);
         return "";
     }
 

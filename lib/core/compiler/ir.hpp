@@ -36,7 +36,10 @@ struct TypedGraph {
 /// The codec of each image: `codecs[node][output]`.
 struct Encoding {
     std::vector<std::vector<Codec>> codecs;
-    const Codec& of(ImageRef ref) const { return codecs[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)]; }
+    const Codec& of(ImageRef ref) const
+    {
+        return codecs[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)];
+    }
 };
 
 /// A depth buffer is what geometry writes its depth to, and nothing else: a full-screen draw has none.
@@ -58,8 +61,8 @@ struct Draw {
 };
 
 struct Draws {
-    std::vector<Draw> draws;          ///< by the declaration order of their first pass
-    std::vector<int> draw_of;         ///< by node; -1 for what is not drawn
+    std::vector<Draw> draws;  ///< by the declaration order of their first pass
+    std::vector<int> draw_of; ///< by node; -1 for what is not drawn
     std::vector<Plan::Boundary> boundaries;
     std::vector<std::string> inlined;
 };
@@ -91,9 +94,10 @@ Liveness cull(const TypedGraph& graph, bool is_on);
 Draws fuse(const TypedGraph& graph, const Liveness& live, const CompileOptions& options);
 Order order_draws(const TypedGraph& graph, const Draws& draws);
 std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws, const Order& order);
-Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes, bool is_shared);
-Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order, const Slots& slots,
-           const CompileOptions& options);
+Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes,
+               bool is_shared);
+Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+           const Slots& slots, const CompileOptions& options);
 
 /// The images of other draws, pictures and cubes that a draw reads: each with the port that reads it.
 struct ExternalRead {

@@ -15,8 +15,8 @@ namespace {
 
 class StepLowering {
 public:
-    StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots, const std::map<ImageRef, int, ImageLess>& imports,
-                 const Draw& draw)
+    StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
+                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw)
         : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw)
     {
     }
@@ -61,8 +61,8 @@ private:
         for (size_t i = 0; i < node.pass->params.size(); ++i) {
             const Param& param = node.pass->params[i];
             if (!node.is_static[i])
-                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.name + "." + param.name, param.type,
-                                          node.params[i], param.lowest, param.highest});
+                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.name + "." + param.name,
+                                          param.type, node.params[i], param.lowest, param.highest});
         }
         source_.kind = node.pass->kind;
         add(source_.reads, node.pass->reads);
@@ -86,7 +86,8 @@ private:
         source.extent = image.extent;
         if (const auto inside = instance_of_.find(wire->from.node); inside != instance_of_.end()) {
             source.kind = glsl::InputSource::Kind::value;
-            source.name = glsl::value_name(source_.instances[static_cast<size_t>(inside->second)], static_cast<size_t>(wire->from.output));
+            source.name = glsl::value_name(source_.instances[static_cast<size_t>(inside->second)],
+                                           static_cast<size_t>(wire->from.output));
             return source;
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
@@ -98,7 +99,8 @@ private:
     /// At the centers of its own texels a linear filter gives the texel, at twice a nearest read's cost or more.
     Filter filter_for(const InputPort& port, const TypedImage& image) const
     {
-        const bool is_own_texel = port.access.kind == AccessClass::pointwise && image.extent == graph_.image(draw_.stored.front()).extent;
+        const bool is_own_texel =
+            port.access.kind == AccessClass::pointwise && image.extent == graph_.image(draw_.stored.front()).extent;
         return port.over == Over::sphere ? Filter::linear : is_own_texel ? Filter::nearest : port.filter;
     }
 
@@ -114,8 +116,8 @@ private:
         read.has_levels = port.has_levels || port.over == Over::sphere;
         read.image = graph_.graph->image_name(image);
         const auto same = std::find_if(step_.reads.begin(), step_.reads.end(), [&](const Plan::Read& other) {
-            return other.source == read.source && other.index == read.index && other.filter == read.filter && other.wrap == read.wrap &&
-                   other.has_levels == read.has_levels;
+            return other.source == read.source && other.index == read.index && other.filter == read.filter &&
+                   other.wrap == read.wrap && other.has_levels == read.has_levels;
         });
         if (same != step_.reads.end())
             return same->sampler;
@@ -135,7 +137,8 @@ private:
                 continue;
             }
             const glsl::Instance& instance = source_.instances[static_cast<size_t>(instance_of_.at(image.node))];
-            source_.targets.push_back({glsl::value_name(instance, static_cast<size_t>(image.output)), graph_.image(image).signal, encoding_.of(image)});
+            source_.targets.push_back({glsl::value_name(instance, static_cast<size_t>(image.output)),
+                                       graph_.image(image).signal, encoding_.of(image)});
             step_.targets.push_back({slot, graph_.graph->image_name(image)});
         }
     }
@@ -177,8 +180,8 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
 
 } // namespace
 
-Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order, const Slots& slots,
-           const CompileOptions& options)
+Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+           const Slots& slots, const CompileOptions& options)
 {
     Plan plan;
     plan.extent = options.extent;
@@ -189,7 +192,8 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.boundaries = draws.boundaries;
     plan.inlined = draws.inlined;
     for (const int draw : order)
-        plan.steps.push_back(StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)]).run());
+        plan.steps.push_back(
+            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)]).run());
     for (const GraphOutput& output : graph.graph->outputs()) {
         Plan::Output result;
         result.name = output.name;

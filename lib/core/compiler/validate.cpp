@@ -11,16 +11,20 @@ namespace {
 std::string_view over_text(Over over)
 {
     switch (over) {
-    case Over::image: return "an image";
-    case Over::sphere: return "a cube map";
-    case Over::scene: return "a scene";
+    case Over::image:
+        return "an image";
+    case Over::sphere:
+        return "a cube map";
+    case Over::scene:
+        return "a scene";
     }
     return "";
 }
 
 class Validator {
 public:
-    Validator(const Graph& graph, const CompileOptions& options) : graph_(graph), options_(options), errors_(graph.errors())
+    Validator(const Graph& graph, const CompileOptions& options)
+        : graph_(graph), options_(options), errors_(graph.errors())
     {
         typed_.graph = &graph;
     }
@@ -64,8 +68,10 @@ private:
         switch (node.kind) {
         case GraphNode::Kind::scene:
             return {{Signal::radiance, Over::scene, options_.extent}, {Signal::radiance, Over::sphere, {}}};
-        case GraphNode::Kind::cube: return {{node.signal, Over::sphere, {}}};
-        default: break;
+        case GraphNode::Kind::cube:
+            return {{node.signal, Over::sphere, {}}};
+        default:
+            break;
         }
         const auto given = options_.picture_extents.find(node.name);
         const Extent extent = given == options_.picture_extents.end() ? options_.extent : given->second;
@@ -105,8 +111,9 @@ private:
         if (!wire) {
             if (!port.is_optional)
                 report("input_missing", fmt::format("{}: nothing is wired to it", place),
-                       port.over == Over::scene ? "wire the scene to it"
-                                                : fmt::format("wire {} of signal {} to it", over_text(port.over), info(port.signal).name),
+                       port.over == Over::scene
+                           ? "wire the scene to it"
+                           : fmt::format("wire {} of signal {} to it", over_text(port.over), info(port.signal).name),
                        current_->where);
             return;
         }
@@ -115,24 +122,30 @@ private:
         const TypedImage& image = typed_.image(wire->from);
         const std::string from = graph_.image_name(wire->from);
         if (image.over != port.over) {
-            report("over_mismatch", fmt::format("{}: expects {}, got {} from {}", place, over_text(port.over), over_text(image.over), from),
-                   image.over == Over::scene && port.over == Over::sphere ? fmt::format("read {}.sky", from)
-                                                                          : fmt::format("wire {} to it", over_text(port.over)),
-                   wire->where);
+            report(
+                "over_mismatch",
+                fmt::format("{}: expects {}, got {} from {}", place, over_text(port.over), over_text(image.over), from),
+                image.over == Over::scene && port.over == Over::sphere
+                    ? fmt::format("read {}.sky", from)
+                    : fmt::format("wire {} to it", over_text(port.over)),
+                wire->where);
             return;
         }
         if (port.over == Over::scene)
             return;
         if (!accepts(port.signal, image.signal)) {
-            report("signal_mismatch", fmt::format("{}: expects {}, got {} from {}", place, info(port.signal).name, info(image.signal).name, from),
+            report("signal_mismatch",
+                   fmt::format("{}: expects {}, got {} from {}", place, info(port.signal).name, info(image.signal).name,
+                               from),
                    fix_for(port.signal, wire->from), wire->where);
             return;
         }
         if (port.signal != Signal::color)
             return;
         if (generic_ && *generic_ != image.signal) {
-            report("generic_mismatch", fmt::format("{}: got {} from {}, but another input of `{}` is {}", place, info(image.signal).name,
-                                                   from, current_->name, info(*generic_).name),
+            report("generic_mismatch",
+                   fmt::format("{}: got {} from {}, but another input of `{}` is {}", place, info(image.signal).name,
+                               from, current_->name, info(*generic_).name),
                    "all generic inputs of a pass carry one signal", wire->where);
             return;
         }
@@ -153,7 +166,9 @@ private:
             return "put a tone_map between them";
         if (fix.empty())
             return fmt::format("no image of signal {} exists here", info(wanted).name);
-        return wanted == Signal::radiance && got == Signal::display ? fmt::format("{}, or put `{}` before the tone map", fix, current_->name) : fix;
+        return wanted == Signal::radiance && got == Signal::display
+                   ? fmt::format("{}, or put `{}` before the tone map", fix, current_->name)
+                   : fix;
     }
 
     /// The nearest image upstream of `image` that a port of signal `wanted` accepts; breadth first.
@@ -192,7 +207,8 @@ private:
             if (!wire || !is_known(wire->from) || typed_.image(wire->from).over != Over::image)
                 continue;
             const Extent extent = typed_.image(wire->from).extent;
-            if (static_cast<long long>(extent.width) * extent.height > static_cast<long long>(largest.width) * largest.height)
+            if (static_cast<long long>(extent.width) * extent.height >
+                static_cast<long long>(largest.width) * largest.height)
                 largest = extent;
         }
         return largest == Extent{} ? options_.extent : largest;
@@ -231,9 +247,11 @@ private:
             if (is_frame_reported_)
                 return;
             is_frame_reported_ = is_frame;
-            errors_.push_back({"extent_too_large", fmt::format("{} would be {}x{} texels", is_frame ? "the frame" : what, extent.width, extent.height),
-                               fmt::format("this device allows at most {} each way", options_.device.max_texture_size),
-                               is_frame ? Location{} : current_->where, Fault::machine});
+            errors_.push_back(
+                {"extent_too_large",
+                 fmt::format("{} would be {}x{} texels", is_frame ? "the frame" : what, extent.width, extent.height),
+                 fmt::format("this device allows at most {} each way", options_.device.max_texture_size),
+                 is_frame ? Location{} : current_->where, Fault::machine});
         }
     }
 
@@ -244,14 +262,18 @@ private:
             return;
         if (const Codec* found = find_codec(signal, codec)) {
             if (!can_store(*current_->pass, signal, *found))
-                report("unknown_codec", fmt::format("{}.{}: `{}` cannot store the depth of a pass of this kind", current_->name,
-                                                    current_->pass->outputs[output].name, codec),
-                       found->format == Format::r32f ? "geometry writes its depth to a depth buffer: depth32f or depth24"
-                                                     : "a full-screen pass has no depth buffer: r32f", current_->where);
+                report("unknown_codec",
+                       fmt::format("{}.{}: `{}` cannot store the depth of a pass of this kind", current_->name,
+                                   current_->pass->outputs[output].name, codec),
+                       found->format == Format::r32f
+                           ? "geometry writes its depth to a depth buffer: depth32f or depth24"
+                           : "a full-screen pass has no depth buffer: r32f",
+                       current_->where);
             return;
         }
-        report("unknown_codec", fmt::format("{}.{} is {}, which no codec `{}` stores", current_->name, current_->pass->outputs[output].name,
-                                            info(signal).name, codec),
+        report("unknown_codec",
+               fmt::format("{}.{} is {}, which no codec `{}` stores", current_->name,
+                           current_->pass->outputs[output].name, info(signal).name, codec),
                suggest(codec, codec_names(signal), "codecs"), current_->where);
     }
 
@@ -260,8 +282,9 @@ private:
         if (!is_known(output.from))
             return;
         if (typed_.image(output.from).over != Over::image) {
-            report("over_mismatch", fmt::format("output `{}`: expects an image, got {} from {}", output.name,
-                                                over_text(typed_.image(output.from).over), graph_.image_name(output.from)),
+            report("over_mismatch",
+                   fmt::format("output `{}`: expects an image, got {} from {}", output.name,
+                               over_text(typed_.image(output.from).over), graph_.image_name(output.from)),
                    "name an image that a pass makes", output.where);
         }
     }

@@ -139,8 +139,9 @@ const std::vector<std::string>& accessor_names(const std::string& read)
         {"camera", {"view_ray", "world_from_view", "view_from_world", "camera_position", "view_distance"}},
         {"frame", {"frame_time", "frame_delta", "frame_index", "frame_is_cut", "random"}},
         {"lights", {"light_count", "light", "Light", "light_directional", "light_point"}},
-        {"elements", {"element_to_view", "element_normal_to_view", "element_base_color", "element_roughness_metallic",
-                      "element_specular", "element_emissive", "element_is_back_facing"}},
+        {"elements",
+         {"element_to_view", "element_normal_to_view", "element_base_color", "element_roughness_metallic",
+          "element_specular", "element_emissive", "element_is_back_facing"}},
     };
     const auto found = names.find(read);
     assert(found != names.end());

@@ -40,24 +40,29 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
                                   : source.kind == InputSource::Kind::texture ? texture_value(source, fetch)
                                                                               : constant_value(port);
         const bool is_wide = source.kind != InputSource::Kind::constant && drops_alpha;
-        text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters, is_wide ? "(" + whole + ")" : whole,
-                                  is_wide ? ".rgb" : ""));
+        text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters,
+                                  is_wide ? "(" + whole + ")" : whole, is_wide ? ".rgb" : ""));
         if (is_wide && suffix.empty())
             text.add_line(fmt::format("float {}_alpha(vec2 uv) {{ return ({}).a; }}", name, whole));
     };
-    add("", "vec2 uv", port.has_levels ? fmt::format("textureLod({}, uv, 0.0)", source.name) : fmt::format("texture({}, uv)", source.name));
+    add("", "vec2 uv",
+        port.has_levels ? fmt::format("textureLod({}, uv, 0.0)", source.name)
+                        : fmt::format("texture({}, uv)", source.name));
     if (port.has_levels)
         add("_lod", "vec2 uv, float lod", fmt::format("textureLod({}, uv, lod)", source.name));
-    text.add_line(fmt::format("vec2 {}_texel() {{ return vec2({:#}, {:#}); }}", name, 1.0 / std::max(source.extent.width, 1),
-                              1.0 / std::max(source.extent.height, 1)));
-    text.add_line(fmt::format("ivec2 {}_size() {{ return ivec2({}, {}); }}", name, source.extent.width, source.extent.height));
+    text.add_line(fmt::format("vec2 {}_texel() {{ return vec2({:#}, {:#}); }}", name,
+                              1.0 / std::max(source.extent.width, 1), 1.0 / std::max(source.extent.height, 1)));
+    text.add_line(
+        fmt::format("ivec2 {}_size() {{ return ivec2({}, {}); }}", name, source.extent.width, source.extent.height));
 }
 
 void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name)
 {
     const std::string_view type = glsl_type(seen_components(port));
     const bool is_wired = source.kind == InputSource::Kind::cube;
-    const std::string value = is_wired ? texture_value(source, fmt::format("textureLod({}, direction, lod)", source.name)) : constant_value(port);
+    const std::string value = is_wired
+                                  ? texture_value(source, fmt::format("textureLod({}, direction, lod)", source.name))
+                                  : constant_value(port);
     text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
     text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
                               is_wired ? fmt::format("floor(log2(float(textureSize({}, 0).x)))", source.name) : "0.0"));
@@ -70,7 +75,9 @@ void add_inputs(ProgramText& text, const Instance& instance, Renames& renames)
         const InputPort& port = instance.pass->inputs[i];
         if (port.over == Over::scene)
             continue;
-        const auto rename = [&](const std::string& suffix) { renames.emplace_back(port.name + suffix, prefix + port.name + suffix); };
+        const auto rename = [&](const std::string& suffix) {
+            renames.emplace_back(port.name + suffix, prefix + port.name + suffix);
+        };
         rename("");
         if (port.over == Over::sphere) {
             rename("_top_lod");
@@ -93,7 +100,8 @@ void add_settings(ProgramText& text, const Instance& instance, Renames& renames)
         const std::string name = uniform_name(instance.number, param.name);
         renames.emplace_back(param.name, name);
         if (instance.is_static[i])
-            text.add_line(fmt::format("const {} {} = {};", glsl_type_of(param.type), name, literal(param.type, instance.params[i])));
+            text.add_line(fmt::format("const {} {} = {};", glsl_type_of(param.type), name,
+                                      literal(param.type, instance.params[i])));
         else
             text.add_line(fmt::format("uniform {} {};", glsl_type_of(param.type), name));
         for (size_t item = 0; item < param.items.size(); ++item)
@@ -118,8 +126,10 @@ std::string alpha_of(const Instance& instance)
 
 std::string guarded_output(const Instance& instance, size_t output, const std::string& value)
 {
-    const bool carries_alpha = info(instance.signals[output]).has_alpha && instance.pass->outputs[output].signal == Signal::color;
-    return glsl_guard_call(instance.signals[output], carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value);
+    const bool carries_alpha =
+        info(instance.signals[output]).has_alpha && instance.pass->outputs[output].signal == Signal::color;
+    return glsl_guard_call(instance.signals[output],
+                           carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value);
 }
 
 /// Evaluates one pass into its file-scope values.
@@ -128,11 +138,14 @@ void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
     const PassDeclaration& pass = *instance.pass;
     const std::string prefix = prefix_of(instance.number);
     if (kind == PassKind::image && pass.outputs.size() == 1) {
-        text.add_line(fmt::format("    {} = {};", value_name(instance, 0), guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name))));
+        text.add_line(fmt::format("    {} = {};", value_name(instance, 0),
+                                  guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name))));
         return;
     }
-    std::string call = kind == PassKind::image ? fmt::format("{}{}(uv", prefix, pass.name)
-                                               : fmt::format("{}{}_surface(passgraph_placed, passgraph_facing, passgraph_uv", prefix, pass.name);
+    std::string call =
+        kind == PassKind::image
+            ? fmt::format("{}{}(uv", prefix, pass.name)
+            : fmt::format("{}{}_surface(passgraph_placed, passgraph_facing, passgraph_uv", prefix, pass.name);
     for (const OutputPort& output : pass.outputs) {
         if (kind == PassKind::geometry && output.signal == Signal::depth)
             continue;
@@ -143,7 +156,8 @@ void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
     for (size_t i = 0; i < pass.outputs.size(); ++i) {
         if (kind == PassKind::geometry && pass.outputs[i].signal == Signal::depth)
             continue;
-        text.add_line(fmt::format("    {} = {};", value_name(instance, i), guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
+        text.add_line(fmt::format("    {} = {};", value_name(instance, i),
+                                  guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
     }
 }
 
@@ -177,7 +191,9 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     for (const Instance& instance : step.instances)
         add_evaluation(text, instance, step.kind);
     for (size_t i = 0; i < step.targets.size(); ++i)
-        text.add_line(fmt::format("    passgraph_target_{} = {};", i, glsl_encode_call(step.targets[i].signal, step.targets[i].codec, step.targets[i].value)));
+        text.add_line(
+            fmt::format("    passgraph_target_{} = {};", i,
+                        glsl_encode_call(step.targets[i].signal, step.targets[i].codec, step.targets[i].value)));
     text.add_line("}");
     return text.take();
 }
@@ -196,9 +212,10 @@ std::string geometry_vertex_text(const StepSource& step, std::vector<std::string
     add_settings(text, instance, renames);
     text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
     text.add_line("void main()\n{");
-    text.add_line(fmt::format("    p{}_{}_vertex(passgraph_vertex_position, passgraph_vertex_normal, passgraph_vertex_uv, passgraph_placed, "
-                              "passgraph_facing, passgraph_uv);",
-                              instance.number, instance.pass->name));
+    text.add_line(fmt::format(
+        "    p{}_{}_vertex(passgraph_vertex_position, passgraph_vertex_normal, passgraph_vertex_uv, passgraph_placed, "
+        "passgraph_facing, passgraph_uv);",
+        instance.number, instance.pass->name));
     text.add_line("    gl_Position = passgraph_clip_from_view * vec4(passgraph_placed, 1.0);\n}");
     return text.take();
 }
@@ -228,12 +245,20 @@ std::string uniform_name(int instance_number, std::string_view param)
 std::string_view glsl_type_of(ParamType type)
 {
     switch (type) {
-    case ParamType::float_: return "float";
-    case ParamType::int_: case ParamType::enum_: return "int";
-    case ParamType::bool_: return "bool";
-    case ParamType::vec2: return "vec2";
-    case ParamType::color: case ParamType::vec3: return "vec3";
-    case ParamType::vec4: return "vec4";
+    case ParamType::float_:
+        return "float";
+    case ParamType::int_:
+    case ParamType::enum_:
+        return "int";
+    case ParamType::bool_:
+        return "bool";
+    case ParamType::vec2:
+        return "vec2";
+    case ParamType::color:
+    case ParamType::vec3:
+        return "vec3";
+    case ParamType::vec4:
+        return "vec4";
     }
     return "float";
 }
@@ -241,10 +266,15 @@ std::string_view glsl_type_of(ParamType type)
 std::string literal(ParamType type, const Value& value)
 {
     switch (type) {
-    case ParamType::bool_: return value.v[0] != 0.0 ? "true" : "false";
-    case ParamType::int_: case ParamType::enum_: return std::to_string(static_cast<long long>(value.v[0]));
-    case ParamType::float_: return fmt::format("{:#}", static_cast<float>(value.v[0]));
-    default: break;
+    case ParamType::bool_:
+        return value.v[0] != 0.0 ? "true" : "false";
+    case ParamType::int_:
+    case ParamType::enum_:
+        return std::to_string(static_cast<long long>(value.v[0]));
+    case ParamType::float_:
+        return fmt::format("{:#}", static_cast<float>(value.v[0]));
+    default:
+        break;
     }
     std::string text = std::string(glsl_type_of(type)) + "(";
     for (int i = 0; i < component_count(type); ++i)
@@ -260,7 +290,8 @@ StepText assemble(const StepSource& step)
     return text;
 }
 
-std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections, std::vector<std::string>& sources)
+std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections,
+                            std::vector<std::string>& sources)
 {
     // Nothing is renamed here: parameters, accessors and includes keep their names, for glslang's messages and analysis.
     ProgramText text(sources);
@@ -272,18 +303,22 @@ std::string standalone_text(const PassDeclaration& pass, const std::vector<int>&
             continue;
         const std::string_view type = glsl_type(seen_components(port));
         if (port.over == Over::sphere) {
-            text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
+            text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, port.name,
+                                      constant_value(port)));
             text.add_line(fmt::format("float {}_top_lod() {{ return 0.0; }}", port.name));
             continue;
         }
         text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", type, port.name, constant_value(port)));
         if (port.has_levels)
-            text.add_line(fmt::format("{} {}_lod(vec2 uv, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
-        text.add_line(fmt::format("vec2 {}_texel() {{ return vec2(1.0); }}\nivec2 {}_size() {{ return ivec2(1); }}", port.name, port.name));
+            text.add_line(
+                fmt::format("{} {}_lod(vec2 uv, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
+        text.add_line(fmt::format("vec2 {}_texel() {{ return vec2(1.0); }}\nivec2 {}_size() {{ return ivec2(1); }}",
+                                  port.name, port.name));
     }
     Renames renames;
     for (const Param& param : pass.params) {
-        text.add_line(param.is_static ? fmt::format("const {} {} = {};", glsl_type_of(param.type), param.name, literal(param.type, param.default_value))
+        text.add_line(param.is_static ? fmt::format("const {} {} = {};", glsl_type_of(param.type), param.name,
+                                                    literal(param.type, param.default_value))
                                       : fmt::format("uniform {} {};", glsl_type_of(param.type), param.name));
         for (size_t item = 0; item < param.items.size(); ++item)
             renames.emplace_back(param.name + "_" + param.items[item], std::to_string(item));

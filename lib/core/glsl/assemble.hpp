@@ -14,22 +14,22 @@ namespace passgraph::glsl {
 struct InputSource {
     enum class Kind { value, texture, cube, constant };
     Kind kind = Kind::constant;
-    std::string name;           ///< value: the file-scope variable; texture, cube: the sampler
+    std::string name;                 ///< value: the file-scope variable; texture, cube: the sampler
     Signal signal = Signal::radiance; ///< as wired
-    Codec codec;                ///< texture
+    Codec codec;                      ///< texture
     Extent extent;
-    bool is_import = false;     ///< guarded where read
+    bool is_import = false; ///< guarded where read
 };
 
 /// One pass of a step. `number` makes its names unique: functions pN_name, values vN_output.
 struct Instance {
     const PassDeclaration* pass = nullptr;
     int number = 0;
-    std::vector<InputSource> inputs;   ///< as pass->inputs
-    std::vector<Signal> signals;       ///< as pass->outputs, generic resolved
-    std::vector<Value> params;         ///< as pass->params
-    std::vector<bool> is_static;       ///< as pass->params
-    std::vector<int> selections;       ///< as pass->selections
+    std::vector<InputSource> inputs; ///< as pass->inputs
+    std::vector<Signal> signals;     ///< as pass->outputs, generic resolved
+    std::vector<Value> params;       ///< as pass->params
+    std::vector<bool> is_static;     ///< as pass->params
+    std::vector<int> selections;     ///< as pass->selections
 };
 
 struct StoredValue {
@@ -64,7 +64,8 @@ StepText assemble(const StepSource& step);
 
 /// The declarations a pass's body sees: accessors, parameters, selections, includes, all under their own names, with its
 /// body. `prototypes_only`: accessors have no body, so that an analysis sees which are called.
-std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections, std::vector<std::string>& sources);
+std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections,
+                            std::vector<std::string>& sources);
 
 /// GLSL literal of a parameter's value, with its type: `vec3(0.4, 0.79, 0.11)`.
 std::string literal(ParamType type, const Value& value);

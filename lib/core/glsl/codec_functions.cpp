@@ -49,10 +49,14 @@ std::string glsl_guard_call(Signal signal, std::string_view value)
 {
     const SignalInfo& row = info(signal);
     switch (row.guard) {
-    case Guard::zero_to_cap: return fmt::format("passgraph_guard_zero_to_cap({}, {:#})", value, row.cap);
-    case Guard::finite: return fmt::format("passgraph_guard_finite({}, {:#})", value, row.cap);
-    case Guard::positive: return fmt::format("passgraph_guard_positive({}, {:#})", value, row.cap);
-    case Guard::unit_vector: return fmt::format("passgraph_guard_unit_vector({})", value);
+    case Guard::zero_to_cap:
+        return fmt::format("passgraph_guard_zero_to_cap({}, {:#})", value, row.cap);
+    case Guard::finite:
+        return fmt::format("passgraph_guard_finite({}, {:#})", value, row.cap);
+    case Guard::positive:
+        return fmt::format("passgraph_guard_positive({}, {:#})", value, row.cap);
+    case Guard::unit_vector:
+        return fmt::format("passgraph_guard_unit_vector({})", value);
     }
     return std::string(value);
 }
@@ -63,14 +67,20 @@ std::string glsl_encode_call(Signal signal, const Codec& codec, std::string_view
     case Packing::octahedral:
         return fmt::format("vec4(passgraph_octahedral_encode({}, {}), 0.0, 1.0)", value,
                            codec.format == Format::rg8 ? "255.0" : "65535.0");
-    case Packing::signed_10: return fmt::format("vec4(passgraph_signed_10_encode({}), 1.0)", value);
-    case Packing::plain: break;
+    case Packing::signed_10:
+        return fmt::format("vec4(passgraph_signed_10_encode({}), 1.0)", value);
+    case Packing::plain:
+        break;
     }
     switch (info(signal).components) {
-    case 1: return fmt::format("vec4({}, 0.0, 0.0, 1.0)", value);
-    case 2: return fmt::format("vec4({}, 0.0, 1.0)", value);
-    case 3: return fmt::format("vec4({}, 1.0)", value);
-    default: return std::string(value);
+    case 1:
+        return fmt::format("vec4({}, 0.0, 0.0, 1.0)", value);
+    case 2:
+        return fmt::format("vec4({}, 0.0, 1.0)", value);
+    case 3:
+        return fmt::format("vec4({}, 1.0)", value);
+    default:
+        return std::string(value);
     }
 }
 
@@ -80,8 +90,10 @@ std::string glsl_decode_call(Signal signal, const Codec& codec, std::string_view
     case Packing::octahedral:
         return fmt::format("passgraph_octahedral_decode({}.rg, {})", texel,
                            codec.format == Format::rg8 ? "255.0" : "65535.0");
-    case Packing::signed_10: return fmt::format("passgraph_signed_10_decode({}.rgb)", texel);
-    case Packing::plain: break;
+    case Packing::signed_10:
+        return fmt::format("passgraph_signed_10_decode({}.rgb)", texel);
+    case Packing::plain:
+        break;
     }
     static constexpr const char* kSwizzles[] = {".r", ".rg", ".rgb", ""};
     return fmt::format("{}{}", texel, kSwizzles[info(signal).components - 1]);

@@ -33,7 +33,8 @@ std::string with_renames(const std::string& text, const Renames& renames)
         const std::string_view word = tokens[i].text;
         const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1].text : "";
         is_in_struct = is_in_struct ? word != "}" : word == "{" && i > 1 && tokens[i - 2].text == "struct";
-        const bool is_member = (i > 0 && tokens[i - 1].text == ".") || (is_in_struct && (next == ";" || next == "," || next == "["));
+        const bool is_member =
+            (i > 0 && tokens[i - 1].text == ".") || (is_in_struct && (next == ";" || next == "," || next == "["));
         const std::string* replacement = tokens[i].is_identifier && !is_member ? find_rename(renames, word) : nullptr;
         if (!replacement)
             continue;
@@ -44,7 +45,10 @@ std::string with_renames(const std::string& text, const Renames& renames)
     return result.append(copied, text.data() + text.size());
 }
 
-bool is_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())); }
+bool is_number(const std::string& text)
+{
+    return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
+}
 
 } // namespace
 
@@ -69,7 +73,8 @@ std::string ProgramText::include_prefix(const GlslText& include)
     return prefix;
 }
 
-void ProgramText::add_module(const GlslText& module, std::string_view prefix, std::vector<std::pair<std::string, std::string>> renames)
+void ProgramText::add_module(const GlslText& module, std::string_view prefix,
+                             std::vector<std::pair<std::string, std::string>> renames)
 {
     for (const auto& include : module.includes) {
         const std::string include_names = include_prefix(*include);

@@ -27,7 +27,8 @@ public:
     }
 
     /// Emits the text's includes (once each), then the text with its globals and `renames` replaced.
-    void add_module(const GlslText& module, std::string_view prefix, std::vector<std::pair<std::string, std::string>> renames);
+    void add_module(const GlslText& module, std::string_view prefix,
+                    std::vector<std::pair<std::string, std::string>> renames);
 
     /// Emits a text and what it includes under their own names.
     void add_flat(const GlslText& module);

@@ -9,7 +9,8 @@
 
 namespace passgraph {
 
-PassLibrary unbake(std::span<const BakedFile> passes, std::span<const BakedFile> commons, std::span<const BakedFile> composites)
+PassLibrary unbake(std::span<const BakedFile> passes, std::span<const BakedFile> commons,
+                   std::span<const BakedFile> composites)
 {
     const IncludeFinder find_include = [&](std::string_view name) -> std::optional<IncludedFile> {
         for (const BakedFile& file : commons)
@@ -28,7 +29,8 @@ PassLibrary unbake(std::span<const BakedFile> passes, std::span<const BakedFile>
     for (const BakedFile& file : composites) { // in the order in which they may name each other
         auto description = read_graph_description(file.text, file.path);
         assert(description && "a baked composite was checked by the build");
-        auto declared = declare_composite(std::make_shared<const GraphDescription>(std::move(*description)), file.family, library);
+        auto declared =
+            declare_composite(std::make_shared<const GraphDescription>(std::move(*description)), file.family, library);
         assert(declared && "a baked composite was checked by the build");
         library.add(*declared);
     }

@@ -10,9 +10,9 @@ namespace passgraph {
 namespace {
 
 constexpr std::array<std::pair<const char*, AccessClass>, 4> kClasses = {{{"size_only", AccessClass::size_only},
-                                                                         {"pointwise", AccessClass::pointwise},
-                                                                         {"warp", AccessClass::warp},
-                                                                         {"gather", AccessClass::gather}}};
+                                                                          {"pointwise", AccessClass::pointwise},
+                                                                          {"warp", AccessClass::warp},
+                                                                          {"gather", AccessClass::gather}}};
 
 } // namespace
 
@@ -20,7 +20,8 @@ std::string derived_to_json(const PassDeclaration& pass)
 {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const InputPort& port : pass.inputs)
-        json[port.name] = {{"access", kClasses[static_cast<size_t>(port.access.kind)].first}, {"radius", port.access.radius}};
+        json[port.name] = {{"access", kClasses[static_cast<size_t>(port.access.kind)].first},
+                           {"radius", port.access.radius}};
     return json.dump();
 }
 

@@ -23,7 +23,8 @@ public:
             if (text_.substr(at_, 2) == "//")
                 skip_to(text_.find('\n', at_));
             else if (text_.substr(at_, 2) == "/*")
-                skip_to(text_.find("*/", at_ + 2) == std::string_view::npos ? text_.size() : text_.find("*/", at_ + 2) + 2);
+                skip_to(text_.find("*/", at_ + 2) == std::string_view::npos ? text_.size()
+                                                                            : text_.find("*/", at_ + 2) + 2);
             else if (std::isspace(static_cast<unsigned char>(text_[at_])))
                 skip_to(at_ + 1);
             else
@@ -93,9 +94,12 @@ void add_once(std::vector<std::string>& names, std::string_view name)
 
 bool is_texture_function(std::string_view name)
 {
-    static constexpr std::array<std::string_view, 5> kOthers = {"shadow1D", "shadow2D", "imageLoad", "imageStore", "imageSize"};
-    return name == "texture" || name.starts_with("texelFetch") || (name.starts_with("texture") && name.size() > 7 && std::isupper(static_cast<unsigned char>(name[7]))) ||
-           name == "texture2D" || name == "textureCube" || std::find(kOthers.begin(), kOthers.end(), name) != kOthers.end();
+    static constexpr std::array<std::string_view, 5> kOthers = {"shadow1D", "shadow2D", "imageLoad", "imageStore",
+                                                                "imageSize"};
+    return name == "texture" || name.starts_with("texelFetch") ||
+           (name.starts_with("texture") && name.size() > 7 && std::isupper(static_cast<unsigned char>(name[7]))) ||
+           name == "texture2D" || name == "textureCube" ||
+           std::find(kOthers.begin(), kOthers.end(), name) != kOthers.end();
 }
 
 } // namespace
@@ -121,7 +125,8 @@ std::vector<std::string> global_names(const std::vector<GlslToken>& tokens)
         // At global scope a declared name follows a type and stands before ( = [ ; or ,; a struct's name follows the word.
         const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1].text : "";
         const bool follows_type = tokens[i - 1].is_identifier || tokens[i - 1].text == "]";
-        const bool is_declared = follows_type && (next == "(" || next == "=" || next == "[" || next == ";" || next == ",");
+        const bool is_declared =
+            follows_type && (next == "(" || next == "=" || next == "[" || next == ";" || next == ",");
         const bool is_listed = tokens[i - 1].text == "," && (next == "=" || next == "[" || next == ";" || next == ",");
         if (tokens[i - 1].text == "struct" || is_declared || is_listed)
             add_once(names, text);
@@ -144,10 +149,14 @@ std::vector<std::string> macro_names(const std::vector<GlslToken>& tokens)
 
 void report_forbidden(const std::vector<GlslToken>& tokens, const std::string& file, bool is_geometry, Errors& errors)
 {
-    static constexpr std::array<std::string_view, 10> kDerivatives = {"dFdx", "dFdy", "fwidth", "dFdxFine", "dFdyFine", "fwidthFine",
-                                                                      "dFdxCoarse", "dFdyCoarse", "fwidthCoarse", "discard"};
+    static constexpr std::array<std::string_view, 10> kDerivatives = {
+        "dFdx",       "dFdy",       "fwidth",     "dFdxFine",     "dFdyFine",
+        "fwidthFine", "dFdxCoarse", "dFdyCoarse", "fwidthCoarse", "discard"};
     const auto refuse = [&](const GlslToken& token, std::string hint) {
-        errors.push_back({"forbidden_builtin", fmt::format("a pass must not use `{}`", token.text), std::move(hint), {file, token.line, token.column}});
+        errors.push_back({"forbidden_builtin",
+                          fmt::format("a pass must not use `{}`", token.text),
+                          std::move(hint),
+                          {file, token.line, token.column}});
     };
     for (size_t i = 0; i < tokens.size(); ++i) {
         const GlslToken& token = tokens[i];
@@ -155,19 +164,24 @@ void report_forbidden(const std::vector<GlslToken>& tokens, const std::string& f
         if (token.is_directive) {
             const auto words = scan_glsl(token.text.substr(1), token.line, token.column);
             if (!words.empty() && (words[0].text == "version" || words[0].text == "extension"))
-                refuse({words[0].text, token.line, token.column, true, false}, "programs are generated for GLSL 3.30: leave the line out");
+                refuse({words[0].text, token.line, token.column, true, false},
+                       "programs are generated for GLSL 3.30: leave the line out");
         } else if (!token.is_identifier) {
             continue;
         } else if (token.text.starts_with("gl_")) {
-            refuse(token, token.text == "gl_FragCoord" ? "pixel() gives the pixel's index" : "results are returned, or assigned to out parameters");
+            refuse(token, token.text == "gl_FragCoord" ? "pixel() gives the pixel's index"
+                                                       : "results are returned, or assigned to out parameters");
         } else if (is_call && is_texture_function(token.text)) {
             refuse(token, "declare an input and call it by its name: image(uv)");
-        } else if (token.text == "uniform" || token.text == "layout" || token.text == "varying" || token.text == "attribute") {
+        } else if (token.text == "uniform" || token.text == "layout" || token.text == "varying" ||
+                   token.text == "attribute") {
             refuse(token, "parameters and inputs are declared in the header; their GLSL is generated");
         } else if (token.text == "main" && is_call) {
             refuse(token, "the entry function has the pass's name");
-        } else if (!is_geometry && std::find(kDerivatives.begin(), kDerivatives.end(), token.text) != kDerivatives.end()) {
-            refuse(token, "a full-screen pass is a function of uv alone: it has no derivatives, and every pixel gets a value");
+        } else if (!is_geometry &&
+                   std::find(kDerivatives.begin(), kDerivatives.end(), token.text) != kDerivatives.end()) {
+            refuse(token,
+                   "a full-screen pass is a function of uv alone: it has no derivatives, and every pixel gets a value");
         }
     }
 }

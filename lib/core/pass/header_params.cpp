@@ -34,9 +34,11 @@ std::vector<std::string> read_items(const Json& items, Errors& errors)
         std::string text = item.is(Json::Kind::number) ? fmt::format("{}", item.number) : item.string;
         const auto is_allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
         if (text.empty() || !std::all_of(text.begin(), text.end(), is_allowed))
-            errors.push_back({"wrong_type", fmt::format("`{}` cannot name an item", text), "items are letters, digits and underscores", item.where});
+            errors.push_back({"wrong_type", fmt::format("`{}` cannot name an item", text),
+                              "items are letters, digits and underscores", item.where});
         else if (std::find(names.begin(), names.end(), text) != names.end())
-            errors.push_back({"duplicate_name", fmt::format("the item `{}` stands twice", text), "remove one", item.where});
+            errors.push_back(
+                {"duplicate_name", fmt::format("the item `{}` stands twice", text), "remove one", item.where});
         names.push_back(std::move(text));
     }
     return names;
@@ -49,7 +51,8 @@ int read_default_item(const Json* json, const std::vector<std::string>& items, E
     const std::string wanted = json->is(Json::Kind::number) ? fmt::format("{}", json->number) : json->string;
     const auto found = std::find(items.begin(), items.end(), wanted);
     if (found == items.end()) {
-        errors.push_back({"unknown_item", fmt::format("the default `{}` is no item", wanted), suggest(wanted, items, "items"), json->where});
+        errors.push_back({"unknown_item", fmt::format("the default `{}` is no item", wanted),
+                          suggest(wanted, items, "items"), json->where});
         return 0;
     }
     return static_cast<int>(found - items.begin());
@@ -64,7 +67,8 @@ bool read_value(const Json& json, Param& param)
     }
     if (count == 1) {
         param.default_value = Value(json.number);
-        return json.is(Json::Kind::number) && (param.type != ParamType::int_ || (json.is_integer && std::abs(json.number) <= 2147483647.0));
+        return json.is(Json::Kind::number) &&
+               (param.type != ParamType::int_ || (json.is_integer && std::abs(json.number) <= 2147483647.0));
     }
     if (!json.is(Json::Kind::array) || json.array.size() != count)
         return false;
@@ -81,9 +85,12 @@ void read_short_form(const Json& json, Param& param, Errors& errors)
     if (json.is(Json::Kind::boolean))
         param.type = ParamType::bool_;
     else if (json.is(Json::Kind::array) && json.array.size() >= 2 && json.array.size() <= 4)
-        param.type = json.array.size() == 2 ? ParamType::vec2 : json.array.size() == 3 ? ParamType::vec3 : ParamType::vec4;
+        param.type = json.array.size() == 2   ? ParamType::vec2
+                     : json.array.size() == 3 ? ParamType::vec3
+                                              : ParamType::vec4;
     if (!read_value(json, param))
-        report_wrong_type(json, fmt::format("param `{}`", param.name), "a number, true, false, two to four numbers, or an object", errors);
+        report_wrong_type(json, fmt::format("param `{}`", param.name),
+                          "a number, true, false, two to four numbers, or an object", errors);
 }
 
 void read_range(JsonFields& fields, Param& param, Errors& errors)
@@ -99,7 +106,8 @@ void read_range(JsonFields& fields, Param& param, Errors& errors)
     param.lowest = range->array[0].number;
     param.highest = range->array[1].number;
     if (param.lowest > param.highest)
-        errors.push_back({"range_empty", fmt::format("param `{}`: the range ends before it starts", param.name), "swap its ends", range->where});
+        errors.push_back({"range_empty", fmt::format("param `{}`: the range ends before it starts", param.name),
+                          "swap its ends", range->where});
 }
 
 void read_long_form(const Json& json, Param& param, Errors& errors)
@@ -109,17 +117,20 @@ void read_long_form(const Json& json, Param& param, Errors& errors)
         if (const auto found = find_type(type->string))
             param.type = *found;
         else
-            errors.push_back({"unknown_item", fmt::format("there is no parameter type `{}`", type->string), suggest(type->string, type_names(), "types"), type->where});
+            errors.push_back({"unknown_item", fmt::format("there is no parameter type `{}`", type->string),
+                              suggest(type->string, type_names(), "types"), type->where});
     }
     if (const Json* items = fields.find("items", Json::Kind::array))
         param.items = read_items(*items, errors);
     if (param.type == ParamType::enum_ && param.items.empty())
-        errors.push_back({"field_missing", fmt::format("param `{}` lacks \"items\"", param.name), "an enum names its items", json.where});
+        errors.push_back({"field_missing", fmt::format("param `{}` lacks \"items\"", param.name),
+                          "an enum names its items", json.where});
     const Json* value = fields.require("default");
     if (value && param.type == ParamType::enum_)
         param.default_value = Value(read_default_item(value, param.items, errors));
     else if (value && !read_value(*value, param))
-        report_wrong_type(*value, fmt::format("param `{}`: \"default\"", param.name), fmt::format("a value of type {}", name(param.type)), errors);
+        report_wrong_type(*value, fmt::format("param `{}`: \"default\"", param.name),
+                          fmt::format("a value of type {}", name(param.type)), errors);
     read_range(fields, param, errors);
     param.step = fields.number("step", 0.0);
     param.unit = fields.text("unit");
@@ -130,13 +141,16 @@ void read_long_form(const Json& json, Param& param, Errors& errors)
     if (const Json* scale = fields.find("scale", Json::Kind::string)) {
         param.is_logarithmic = scale->string == "log";
         if (!param.is_logarithmic && scale->string != "linear")
-            errors.push_back({"unknown_item", fmt::format("a scale cannot be `{}`", scale->string), suggest(scale->string, {"linear", "log"}, "scales"), scale->where});
+            errors.push_back({"unknown_item", fmt::format("a scale cannot be `{}`", scale->string),
+                              suggest(scale->string, {"linear", "log"}, "scales"), scale->where});
     }
     fields.finish();
     for (int i = 0; value && param.lowest <= param.highest && i < component_count(param.type); ++i) {
         const double component = param.default_value.v[static_cast<size_t>(i)];
         if (param.type != ParamType::enum_ && !(component >= param.lowest && component <= param.highest)) {
-            errors.push_back({"param_out_of_range", fmt::format("param `{}`: the default {} is outside [{}, {}]", param.name, component, param.lowest, param.highest),
+            errors.push_back({"param_out_of_range",
+                              fmt::format("param `{}`: the default {} is outside [{}, {}]", param.name, component,
+                                          param.lowest, param.highest),
                               "", value->where});
         }
     }

@@ -11,7 +11,8 @@ namespace passgraph::header {
 namespace {
 
 template <class Enum, size_t N>
-void read_word(JsonFields& fields, std::string_view key, const std::array<std::pair<const char*, Enum>, N>& words, Enum& into, Errors& errors)
+void read_word(JsonFields& fields, std::string_view key, const std::array<std::pair<const char*, Enum>, N>& words,
+               Enum& into, Errors& errors)
 {
     const Json* json = fields.find(key, Json::Kind::string);
     if (!json)
@@ -24,7 +25,8 @@ void read_word(JsonFields& fields, std::string_view key, const std::array<std::p
         }
         names.emplace_back(word);
     }
-    errors.push_back({"unknown_item", fmt::format("\"{}\" cannot be `{}`", key, json->string), suggest(json->string, names, "words"), json->where});
+    errors.push_back({"unknown_item", fmt::format("\"{}\" cannot be `{}`", key, json->string),
+                      suggest(json->string, names, "words"), json->where});
 }
 
 void read_signal(const Json& json, Signal& into, Errors& errors)
@@ -36,7 +38,8 @@ void read_signal(const Json& json, Signal& into, Errors& errors)
     std::vector<std::string> names;
     for (const SignalInfo& row : all_signals())
         names.emplace_back(row.name);
-    errors.push_back({"unknown_signal", fmt::format("there is no signal `{}`", json.string), suggest(json.string, names, "signals"), json.where});
+    errors.push_back({"unknown_signal", fmt::format("there is no signal `{}`", json.string),
+                      suggest(json.string, names, "signals"), json.where});
 }
 
 void read_default(const Json& json, InputPort& port, Errors& errors)
@@ -50,7 +53,8 @@ void read_default(const Json& json, InputPort& port, Errors& errors)
     for (const Json& item : json.array)
         fits = fits && item.is(Json::Kind::number);
     if (!fits) {
-        report_wrong_type(json, fmt::format("input `{}`: \"default\"", port.name), fmt::format("a number or {} numbers", components), errors);
+        report_wrong_type(json, fmt::format("input `{}`: \"default\"", port.name),
+                          fmt::format("a number or {} numbers", components), errors);
         return;
     }
     for (size_t i = 0; i < components; ++i)
@@ -70,16 +74,20 @@ InputPort read_input(const Json::Member& member, Errors& errors)
     JsonFields fields(member.value, fmt::format("input `{}`", member.key), errors);
     if (const Json* signal = fields.require("signal", Json::Kind::string))
         read_signal(*signal, port.signal, errors);
-    read_word<Filter, 2>(fields, "filter", {{{"nearest", Filter::nearest}, {"linear", Filter::linear}}}, port.filter, errors);
-    read_word<AddressMode, 3>(fields, "wrap", {{{"clamp", AddressMode::clamp}, {"mirror", AddressMode::mirror}, {"repeat", AddressMode::repeat}}},
-                              port.wrap, errors);
+    read_word<Filter, 2>(fields, "filter", {{{"nearest", Filter::nearest}, {"linear", Filter::linear}}}, port.filter,
+                         errors);
+    read_word<AddressMode, 3>(
+        fields, "wrap",
+        {{{"clamp", AddressMode::clamp}, {"mirror", AddressMode::mirror}, {"repeat", AddressMode::repeat}}}, port.wrap,
+        errors);
     read_word<Over, 2>(fields, "over", {{{"image", Over::image}, {"sphere", Over::sphere}}}, port.over, errors);
     port.has_levels = fields.boolean("levels", false);
     port.is_optional = fields.boolean("optional", false);
     if (const Json* value = fields.find("default")) {
         read_default(*value, port, errors);
         if (!port.is_optional)
-            errors.push_back({"default_unused", fmt::format("input `{}` has a default but must be wired", port.name), "add \"optional\": true", value->where});
+            errors.push_back({"default_unused", fmt::format("input `{}` has a default but must be wired", port.name),
+                              "add \"optional\": true", value->where});
     }
     fields.finish();
     return port;
@@ -93,7 +101,8 @@ void read_pair(JsonFields& fields, std::string_view key, std::optional<std::arra
     if (!json)
         return;
     if (json->array.size() != 2 || !is_count(json->array[0]) || !is_count(json->array[1])) {
-        errors.push_back({"wrong_type", fmt::format("\"{}\" wants two whole numbers from 1 to 65536", key), "[1, 2] is half", json->where});
+        errors.push_back({"wrong_type", fmt::format("\"{}\" wants two whole numbers from 1 to 65536", key),
+                          "[1, 2] is half", json->where});
         return;
     }
     into = std::array<int, 2>{static_cast<int>(json->array[0].number), static_cast<int>(json->array[1].number)};
@@ -108,7 +117,8 @@ void read_size(const Json& size, const PassDeclaration& pass, OutputPort& port, 
             std::vector<std::string> names;
             for (const InputPort& input : pass.inputs)
                 names.push_back(input.name);
-            errors.push_back({"unknown_input", fmt::format("there is no input `{}`", of->string), suggest(of->string, names, "inputs"), of->where});
+            errors.push_back({"unknown_input", fmt::format("there is no input `{}`", of->string),
+                              suggest(of->string, names, "inputs"), of->where});
             port.size_of.clear();
         }
     }
@@ -125,7 +135,8 @@ void read_size(const Json& size, const PassDeclaration& pass, OutputPort& port, 
 void check_name(const std::string& name, std::string_view what, const Location& where, Errors& errors)
 {
     if (const std::string why = why_reserved(name); !why.empty())
-        errors.push_back({"reserved_name", fmt::format("{} cannot be called `{}`: {}", what, name, why), "choose another name", where});
+        errors.push_back({"reserved_name", fmt::format("{} cannot be called `{}`: {}", what, name, why),
+                          "choose another name", where});
 }
 
 void read_inputs(const Json& inputs, PassDeclaration& pass, Errors& errors)
@@ -156,8 +167,10 @@ void read_outputs(const Json& outputs, PassDeclaration& pass, Errors& errors)
             return first.size_of == port.size_of && first.scale == port.scale && first.texels == port.texels;
         };
         if (!pass.outputs.empty() && !is_like_first())
-            errors.push_back({"sizes_differ", fmt::format("output `{}` has another size than `{}`", port.name, pass.outputs.front().name),
-                              "one pass draws one extent: make two passes", port.where});
+            errors.push_back(
+                {"sizes_differ",
+                 fmt::format("output `{}` has another size than `{}`", port.name, pass.outputs.front().name),
+                 "one pass draws one extent: make two passes", port.where});
         pass.outputs.push_back(std::move(port));
     }
 }
@@ -180,11 +193,14 @@ void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors)
                 std::vector<std::string> names;
                 for (const OutputPort& port : pass.outputs)
                     names.push_back(port.name);
-                errors.push_back({"unknown_output", fmt::format("there is no output `{}`", place.key), suggest(place.key, names, "outputs"), place.where});
+                errors.push_back({"unknown_output", fmt::format("there is no output `{}`", place.key),
+                                  suggest(place.key, names, "outputs"), place.where});
             } else if (!place.value.is(Json::Kind::string)) {
-                report_wrong_type(place.value, fmt::format("layout `{}`: `{}`", member.key, place.key), "a codec's name", errors);
+                report_wrong_type(place.value, fmt::format("layout `{}`: `{}`", member.key, place.key),
+                                  "a codec's name", errors);
             } else if (!find_codec(signal, place.value.string)) {
-                errors.push_back({"unknown_codec", fmt::format("no codec `{}` stores {}", place.value.string, info(signal).name),
+                errors.push_back({"unknown_codec",
+                                  fmt::format("no codec `{}` stores {}", place.value.string, info(signal).name),
                                   suggest(place.value.string, codec_names(signal), "codecs"), place.value.where});
             }
             layout.codecs.emplace_back(place.key, place.value.string);

@@ -18,7 +18,8 @@ public:
     Includes(const IncludeFinder& find, Errors& errors) : find_(find), errors_(errors) {}
 
     /// Blanks the include lines of `text` and appends what they name to `into`.
-    std::string resolve(std::string_view text, const Location& start, std::vector<std::shared_ptr<const GlslText>>& into)
+    std::string resolve(std::string_view text, const Location& start,
+                        std::vector<std::shared_ptr<const GlslText>>& into)
     {
         std::string rest(text);
         for (const GlslToken& token : scan_glsl(text, start.line, start.column)) {
@@ -30,7 +31,8 @@ public:
             const size_t open = token.text.find('"');
             const size_t close = token.text.rfind('"');
             if (open == std::string_view::npos || close == open) {
-                errors_.push_back({"include_missing", "an include names its file in quotes", "#include \"luminance.glsl\"", where});
+                errors_.push_back(
+                    {"include_missing", "an include names its file in quotes", "#include \"luminance.glsl\"", where});
                 continue;
             }
             if (auto included = load(token.text.substr(open + 1, close - open - 1), where))
@@ -43,12 +45,14 @@ private:
     std::shared_ptr<const GlslText> load(std::string_view name, const Location& where)
     {
         if (name.find("..") != std::string_view::npos || name.starts_with('/')) {
-            errors_.push_back({"include_missing", fmt::format("`{}` is outside the common folder", name), "name a file in common/", where});
+            errors_.push_back({"include_missing", fmt::format("`{}` is outside the common folder", name),
+                               "name a file in common/", where});
             return nullptr;
         }
         const auto found = find_(name);
         if (!found) {
-            errors_.push_back({"include_missing", fmt::format("there is no common file `{}`", name), "put it into common/ beside the pass", where});
+            errors_.push_back({"include_missing", fmt::format("there is no common file `{}`", name),
+                               "put it into common/ beside the pass", where});
             return nullptr;
         }
         if (std::find(open_.begin(), open_.end(), found->path) != open_.end()) {
@@ -89,7 +93,8 @@ void read_reads(const Json& reads, PassDeclaration& pass, Errors& errors)
             pass.reads.elements = true;
         else
             errors.push_back({"unknown_item", fmt::format("a pass cannot read `{}`", item.string),
-                              suggest(item.string, {"camera", "lights", "frame", "elements"}, "things to read"), item.where});
+                              suggest(item.string, {"camera", "lights", "frame", "elements"}, "things to read"),
+                              item.where});
     }
 }
 
@@ -105,9 +110,13 @@ void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors)
         for (const InputPort& port : pass.inputs)
             names.push_back(port.name);
         if (input < 0)
-            errors.push_back({"unknown_input", fmt::format("there is no input `{}`", is->string), suggest(is->string, names, "inputs"), is->where});
-        else if (pass.outputs.size() != 1 || pass.outputs.front().signal != pass.inputs[static_cast<size_t>(input)].signal)
-            errors.push_back({"identity_mismatch", fmt::format("the pass cannot be its input `{}`: their signals differ", is->string), "", is->where});
+            errors.push_back({"unknown_input", fmt::format("there is no input `{}`", is->string),
+                              suggest(is->string, names, "inputs"), is->where});
+        else if (pass.outputs.size() != 1 ||
+                 pass.outputs.front().signal != pass.inputs[static_cast<size_t>(input)].signal)
+            errors.push_back({"identity_mismatch",
+                              fmt::format("the pass cannot be its input `{}`: their signals differ", is->string), "",
+                              is->where});
     }
     fields.finish();
 }
@@ -119,8 +128,11 @@ void check_namespace(const PassDeclaration& pass, Errors& errors)
     const auto take = [&](const std::string& name, const Location& where) {
         const auto [entry, is_new] = taken.emplace(name, where);
         if (!is_new)
-            errors.push_back({"duplicate_name", fmt::format("`{}` is used twice", name),
-                              fmt::format("ports, parameters, choices and ladders share one namespace; line {} has it too", entry->second.line), where});
+            errors.push_back(
+                {"duplicate_name", fmt::format("`{}` is used twice", name),
+                 fmt::format("ports, parameters, choices and ladders share one namespace; line {} has it too",
+                             entry->second.line),
+                 where});
     };
     take(pass.name, {pass.file, 1, 1});
     for (const InputPort& port : pass.inputs) {
@@ -145,7 +157,8 @@ void check_namespace(const PassDeclaration& pass, Errors& errors)
             take(selection.name, selection.where);
     for (const OutputPort& port : pass.outputs)
         if (taken.contains(port.name))
-            errors.push_back({"duplicate_name", fmt::format("`{}` is used twice", port.name), "ports, parameters, choices and ladders share one namespace", port.where});
+            errors.push_back({"duplicate_name", fmt::format("`{}` is used twice", port.name),
+                              "ports, parameters, choices and ladders share one namespace", port.where});
 }
 
 void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
@@ -167,7 +180,8 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
         scene.where = root.where;
         pass.inputs.push_back(std::move(scene));
     } else if (kind != "image") {
-        errors.push_back({"unknown_item", fmt::format("a pass cannot be of kind `{}`", kind), suggest(kind, {"image", "geometry"}, "kinds"), root.find("kind")->where});
+        errors.push_back({"unknown_item", fmt::format("a pass cannot be of kind `{}`", kind),
+                          suggest(kind, {"image", "geometry"}, "kinds"), root.find("kind")->where});
     }
     if (const Json* inputs = fields.find("inputs", Json::Kind::object))
         header::read_inputs(*inputs, pass, errors);
@@ -194,8 +208,10 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
 void check_helpers(const PassDeclaration& pass, const std::vector<GlslToken>& tokens, Errors& errors)
 {
     for (const std::string& global : pass.body.globals) {
-        const auto token = std::find_if(tokens.begin(), tokens.end(), [&](const GlslToken& t) { return t.text == global; });
-        const Location where{pass.file, token == tokens.end() ? 0 : token->line, token == tokens.end() ? 0 : token->column};
+        const auto token =
+            std::find_if(tokens.begin(), tokens.end(), [&](const GlslToken& t) { return t.text == global; });
+        const Location where{pass.file, token == tokens.end() ? 0 : token->line,
+                             token == tokens.end() ? 0 : token->column};
         if (global != pass.name)
             header::check_name(global, "a helper", where, errors);
     }
@@ -208,12 +224,20 @@ Result<PassDeclaration> read_pass_header(std::string_view text, const std::strin
 {
     const size_t open = text.find("/*");
     const size_t close = open == std::string_view::npos ? open : text.find("*/", open + 2);
-    const bool leads = open != std::string_view::npos && text.substr(0, open).find_first_not_of(" \t\r\n") == std::string_view::npos;
+    const bool leads =
+        open != std::string_view::npos && text.substr(0, open).find_first_not_of(" \t\r\n") == std::string_view::npos;
     if (!leads || close == std::string_view::npos)
-        return fail({"header_missing", "the file does not start with its header, a JSON object in a comment",
-                     "start it with /*{ \"pass\": \"name\", \"inputs\": {…}, \"outputs\": {…} }*/", {file, 1, 1}});
-    const auto line_of = [&](size_t at) { return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')); };
-    const auto column_of = [&](size_t at) { return static_cast<int>(at - (text.rfind('\n', at) == std::string_view::npos ? 0 : text.rfind('\n', at) + 1)) + 1; };
+        return fail({"header_missing",
+                     "the file does not start with its header, a JSON object in a comment",
+                     "start it with /*{ \"pass\": \"name\", \"inputs\": {…}, \"outputs\": {…} }*/",
+                     {file, 1, 1}});
+    const auto line_of = [&](size_t at) {
+        return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    };
+    const auto column_of = [&](size_t at) {
+        return static_cast<int>(at - (text.rfind('\n', at) == std::string_view::npos ? 0 : text.rfind('\n', at) + 1)) +
+               1;
+    };
     const auto json = parse_json(text.substr(open + 2, close - open - 2), file, line_of(open), column_of(open + 2));
     if (!json)
         return tl::unexpected(json.error());
@@ -228,7 +252,8 @@ Result<PassDeclaration> read_pass_header(std::string_view text, const std::strin
     pass.body.file = file;
     pass.body.first_line = line_of(close);
     const std::string_view body = text.substr(close + 2);
-    pass.body.text = Includes(find_include, errors).resolve(body, {file, pass.body.first_line, column_of(close + 2)}, pass.body.includes);
+    pass.body.text = Includes(find_include, errors)
+                         .resolve(body, {file, pass.body.first_line, column_of(close + 2)}, pass.body.includes);
     const auto tokens = scan_glsl(pass.body.text, pass.body.first_line, column_of(close + 2));
     pass.body.globals = global_names(tokens);
     pass.body.macros = macro_names(tokens);

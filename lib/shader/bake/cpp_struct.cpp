@@ -36,7 +36,8 @@ std::string tag_of(Signal signal)
 bool is_generic(const PassDeclaration& pass)
 {
     const auto generic = [](const auto& port) { return port.signal == Signal::color; };
-    return std::any_of(pass.inputs.begin(), pass.inputs.end(), generic) || std::any_of(pass.outputs.begin(), pass.outputs.end(), generic);
+    return std::any_of(pass.inputs.begin(), pass.inputs.end(), generic) ||
+           std::any_of(pass.outputs.begin(), pass.outputs.end(), generic);
 }
 
 std::string port_type(const InputPort& port)
@@ -65,13 +66,17 @@ std::string number_text(double number) { return fmt::format("{:#}f", static_cast
 std::string member_text(const Param& param)
 {
     switch (param.type) {
-    case ParamType::bool_: return fmt::format("bool {} = {};", param.name, param.default_value.v[0] != 0.0);
-    case ParamType::int_: return fmt::format("int {} = {};", param.name, static_cast<int>(param.default_value.v[0]));
-    case ParamType::float_: return fmt::format("float {} = {};", param.name, number_text(param.default_value.v[0]));
+    case ParamType::bool_:
+        return fmt::format("bool {} = {};", param.name, param.default_value.v[0] != 0.0);
+    case ParamType::int_:
+        return fmt::format("int {} = {};", param.name, static_cast<int>(param.default_value.v[0]));
+    case ParamType::float_:
+        return fmt::format("float {} = {};", param.name, number_text(param.default_value.v[0]));
     case ParamType::enum_:
         return fmt::format("{} {} = {}::{};", pascal_case(param.name), param.name, pascal_case(param.name),
                            enumerator(param.name, param.items[static_cast<size_t>(param.default_value.v[0])]));
-    default: break;
+    default:
+        break;
     }
     std::string text = fmt::format("Vec{} {} = {{", component_count(param.type), param.name);
     for (int i = 0; i < component_count(param.type); ++i)
@@ -94,7 +99,8 @@ std::string comment_of(const Param& param)
 std::string setting_line(const Param& param)
 {
     if (param.type == ParamType::enum_)
-        return fmt::format("        settings.item(\"{}\", static_cast<int>({}), {{\"{}\"}});\n", param.name, param.name, fmt::join(param.items, "\", \""));
+        return fmt::format("        settings.item(\"{}\", static_cast<int>({}), {{\"{}\"}});\n", param.name, param.name,
+                           fmt::join(param.items, "\", \""));
     return fmt::format("        settings.value(\"{}\", {});\n", param.name, param.name);
 }
 
@@ -105,13 +111,17 @@ std::string inputs_text(const PassDeclaration& pass)
     for (const InputPort& port : pass.inputs) {
         members += fmt::format("        {} {}{};\n", port_type(port), port.name, port.is_optional ? "{}" : "");
         if (port.over == Over::scene)
-            wires += fmt::format("            arguments.inputs.push_back({{\"{}\", {}.elements}});\n", port.name, port.name);
+            wires +=
+                fmt::format("            arguments.inputs.push_back({{\"{}\", {}.elements}});\n", port.name, port.name);
         else if (port.is_optional)
-            wires += fmt::format("            if ({})\n                arguments.inputs.push_back({{\"{}\", *{}}});\n", port.name, port.name, port.name);
+            wires += fmt::format("            if ({})\n                arguments.inputs.push_back({{\"{}\", *{}}});\n",
+                                 port.name, port.name, port.name);
         else
             wires += fmt::format("            arguments.inputs.push_back({{\"{}\", {}}});\n", port.name, port.name);
     }
-    return fmt::format("    struct Inputs {{\n{}        void append_to([[maybe_unused]] PassArguments& arguments) const\n        {{\n{}        }}\n    }};\n", members, wires);
+    return fmt::format("    struct Inputs {{\n{}        void append_to([[maybe_unused]] PassArguments& arguments) "
+                       "const\n        {{\n{}        }}\n    }};\n",
+                       members, wires);
 }
 
 std::string outputs_text(const PassDeclaration& pass)
@@ -120,9 +130,12 @@ std::string outputs_text(const PassDeclaration& pass)
     std::string values;
     for (const OutputPort& port : pass.outputs) {
         members += fmt::format("        Image<{}> {};\n", tag_of(port.signal), port.name);
-        values += fmt::format("{}Graph::typed<{}>(added[\"{}\"])", values.empty() ? "" : ", ", tag_of(port.signal), port.name);
+        values += fmt::format("{}Graph::typed<{}>(added[\"{}\"])", values.empty() ? "" : ", ", tag_of(port.signal),
+                              port.name);
     }
-    return fmt::format("    struct Outputs {{\n{}        static Outputs from(const AddedPass& added) {{ return {{{}}}; }}\n    }};\n", members, values);
+    return fmt::format(
+        "    struct Outputs {{\n{}        static Outputs from(const AddedPass& added) {{ return {{{}}}; }}\n    }};\n",
+        members, values);
 }
 
 } // namespace
@@ -134,7 +147,8 @@ std::string cpp_struct(const PassDeclaration& pass)
         text += fmt::format("///\n/// Source   {}\n", pass.source);
     if (is_generic(pass))
         text += "template <class SignalTag = Radiance>\n";
-    text += fmt::format("struct {} {{\n    static constexpr const char* name = \"{}\";\n", pascal_case(pass.name), pass.name);
+    text += fmt::format("struct {} {{\n    static constexpr const char* name = \"{}\";\n", pascal_case(pass.name),
+                        pass.name);
     std::string members;
     std::string settings;
     for (const Param& param : pass.params) {
@@ -145,12 +159,16 @@ std::string cpp_struct(const PassDeclaration& pass)
     }
     for (const Selection& selection : pass.selections) {
         text += enum_text(selection.name, selection.items);
-        members += fmt::format("    {0} {1} = {0}::{2};\n", pascal_case(selection.name), selection.name,
-                               enumerator(selection.name, selection.items[static_cast<size_t>(selection.default_item)]));
-        settings += fmt::format("        settings.item(\"{}\", static_cast<int>({}), {{\"{}\"}});\n", selection.name, selection.name, fmt::join(selection.items, "\", \""));
+        members +=
+            fmt::format("    {0} {1} = {0}::{2};\n", pascal_case(selection.name), selection.name,
+                        enumerator(selection.name, selection.items[static_cast<size_t>(selection.default_item)]));
+        settings += fmt::format("        settings.item(\"{}\", static_cast<int>({}), {{\"{}\"}});\n", selection.name,
+                                selection.name, fmt::join(selection.items, "\", \""));
     }
     text += "\n" + members + "\n" + inputs_text(pass) + outputs_text(pass);
-    text += fmt::format("    PassArguments arguments() const\n    {{\n        Settings settings;\n{}        return settings.take();\n    }}\n}};\n", settings);
+    text += fmt::format("    PassArguments arguments() const\n    {{\n        Settings settings;\n{}        return "
+                        "settings.take();\n    }}\n}};\n",
+                        settings);
     return text;
 }
 

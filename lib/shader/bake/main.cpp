@@ -19,14 +19,16 @@ namespace fs = std::filesystem;
 namespace passgraph::bake {
 namespace {
 
-std::string baked_row(const std::string& path, const std::string& family, const std::string& text, const std::string& derived)
+std::string baked_row(const std::string& path, const std::string& family, const std::string& text,
+                      const std::string& derived)
 {
     // Adjacent raw literals: some compilers limit one literal's length.
     std::string literal;
     constexpr size_t kLongest = 8000;
     for (size_t start = 0; start < text.size(); start += kLongest)
         literal += fmt::format("R\"passgraph({})passgraph\"\n", text.substr(start, kLongest));
-    return fmt::format("    {{\"{}\", \"{}\",\n{}, R\"passgraph({})passgraph\"}},\n", path, family, literal.empty() ? "\"\"" : literal, derived);
+    return fmt::format("    {{\"{}\", \"{}\",\n{}, R\"passgraph({})passgraph\"}},\n", path, family,
+                       literal.empty() ? "\"\"" : literal, derived);
 }
 
 std::string table(const std::string& name, const std::string& rows)
@@ -64,7 +66,9 @@ int run(const fs::path& folder, const fs::path& output)
         std::fputs(to_text(loaded.error()).c_str(), stderr);
         return 1;
     }
-    const auto shown = [&](const std::string& path) { return "passes/" + fs::path(path).lexically_relative(folder).generic_string(); };
+    const auto shown = [&](const std::string& path) {
+        return "passes/" + fs::path(path).lexically_relative(folder).generic_string();
+    };
     std::string passes;
     std::string structs;
     for (const auto& [name, pass] : library.passes()) {
@@ -84,14 +88,19 @@ int run(const fs::path& folder, const fs::path& output)
     for (const fs::path& file : common_files)
         commons += baked_row(shown(file.string()), "common", *read_text_file(file.string()), "");
 
-    const std::string source = "// Generated from the passes folder.\n#include <passgraph/core/baked_passes.hpp>\n#include <passgraph/core/graph.hpp>\n\n"
+    const std::string source = "// Generated from the passes folder.\n#include "
+                               "<passgraph/core/baked_passes.hpp>\n#include <passgraph/core/graph.hpp>\n\n"
                                "namespace passgraph {\nnamespace {\n\n" +
-                               table("kPasses", passes) + table("kCommons", commons) + table("kComposites", composites) +
+                               table("kPasses", passes) + table("kCommons", commons) +
+                               table("kComposites", composites) +
                                "\n} // namespace\n\nconst PassLibrary& builtin_passes()\n{\n"
-                               "    static const PassLibrary library = unbake(kPasses, kCommons, kComposites);\n    return library;\n}\n\n} // namespace passgraph\n";
-    const std::string header = "// Generated from the passes folder: a struct per pass, whose wires the C++ compiler checks.\n#pragma once\n\n"
-                               "#include <optional>\n\n#include <passgraph/core/graph.hpp>\n#include <passgraph/core/pass_settings.hpp>\n\n"
-                               "namespace passgraph::passes {\n\n" + structs + "} // namespace passgraph::passes\n";
+                               "    static const PassLibrary library = unbake(kPasses, kCommons, kComposites);\n    "
+                               "return library;\n}\n\n} // namespace passgraph\n";
+    const std::string header =
+        "// Generated from the passes folder: a struct per pass, whose wires the C++ compiler checks.\n#pragma once\n\n"
+        "#include <optional>\n\n#include <passgraph/core/graph.hpp>\n#include <passgraph/core/pass_settings.hpp>\n\n"
+        "namespace passgraph::passes {\n\n" +
+        structs + "} // namespace passgraph::passes\n";
     fs::create_directories(output / "passgraph");
     if (!write(output / "baked_passes.cpp", source) || !write(output / "passgraph" / "passes.hpp", header)) {
         fmt::print(stderr, "error[file_unwritable] {}\n", output.string());
