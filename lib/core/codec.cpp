@@ -12,24 +12,27 @@ struct FormatRow {
     Format format;
     std::string_view name;
     int bytes;
+    int channels;
+    ChannelKind kind;
 };
 
-constexpr std::array<FormatRow, 15> kFormats = {{
-    {Format::r8, "r8", 1},
-    {Format::rg8, "rg8", 2},
-    {Format::rgba8, "rgba8", 4},
-    {Format::srgb8_a8, "srgb8_a8", 4},
-    {Format::rgb10_a2, "rgb10_a2", 4},
-    {Format::rg16, "rg16", 4},
-    {Format::r16f, "r16f", 2},
-    {Format::rg16f, "rg16f", 4},
-    {Format::rgba16f, "rgba16f", 8},
-    {Format::r11f_g11f_b10f, "r11f_g11f_b10f", 4},
-    {Format::r32f, "r32f", 4},
-    {Format::rg32f, "rg32f", 8},
-    {Format::rgba32f, "rgba32f", 16},
-    {Format::depth24, "depth24", 4},
-    {Format::depth32f, "depth32f", 4},
+constexpr std::array<FormatRow, 16> kFormats = {{
+    {Format::r8, "r8", 1, 1, ChannelKind::unorm8},
+    {Format::rg8, "rg8", 2, 2, ChannelKind::unorm8},
+    {Format::rgba8, "rgba8", 4, 4, ChannelKind::unorm8},
+    {Format::srgb8_a8, "srgb8_a8", 4, 4, ChannelKind::unorm8},
+    {Format::rgb10_a2, "rgb10_a2", 4, 4, ChannelKind::unorm10},
+    {Format::rg16, "rg16", 4, 2, ChannelKind::unorm16},
+    {Format::rgba16, "rgba16", 8, 4, ChannelKind::unorm16},
+    {Format::r16f, "r16f", 2, 1, ChannelKind::half},
+    {Format::rg16f, "rg16f", 4, 2, ChannelKind::half},
+    {Format::rgba16f, "rgba16f", 8, 4, ChannelKind::half},
+    {Format::r11f_g11f_b10f, "r11f_g11f_b10f", 4, 3, ChannelKind::small_float},
+    {Format::r32f, "r32f", 4, 1, ChannelKind::single},
+    {Format::rg32f, "rg32f", 8, 2, ChannelKind::single},
+    {Format::rgba32f, "rgba32f", 16, 4, ChannelKind::single},
+    {Format::depth24, "depth24", 4, 1, ChannelKind::depth},
+    {Format::depth32f, "depth32f", 4, 1, ChannelKind::depth},
 }};
 
 std::array<float, 3> normalised(float x, float y, float z)
@@ -53,6 +56,23 @@ std::array<float, 3> octahedral_direction(float u, float v, float codes)
         x = folded_x;
     }
     return normalised(x, y, z);
+}
+
+std::array<float, 3> sphere_map_direction(float u, float v)
+{
+    const float x = 4.0f * u - 2.0f;
+    const float y = 4.0f * v - 2.0f;
+    const float squared = x * x + y * y;
+    const float scale = std::sqrt(std::max(1.0f - 0.25f * squared, 0.0f));
+    return normalised(x * scale, y * scale, 1.0f - 0.5f * squared);
+}
+
+/// Reversed depth d = n (f - z) / (z (f - n)); a distance of 0 says that nothing is there.
+float device_depth(float distance, DepthRange range)
+{
+    if (!(distance > 0.0f))
+        return 0.0f;
+    return range.near_plane * (range.far_plane - distance) / (distance * (range.far_plane - range.near_plane));
 }
 
 std::array<float, 3> signed_10_direction(const float* texel)
@@ -82,7 +102,11 @@ std::string_view name(Format format) { return kFormats[static_cast<size_t>(forma
 
 int bytes_per_texel(Format format) { return kFormats[static_cast<size_t>(format)].bytes; }
 
-bool is_depth(Format format) { return format == Format::depth24 || format == Format::depth32f; }
+bool is_depth(Format format) { return channel_kind(format) == ChannelKind::depth; }
+
+int channel_count(Format format) { return kFormats[static_cast<size_t>(format)].channels; }
+
+ChannelKind channel_kind(Format format) { return kFormats[static_cast<size_t>(format)].kind; }
 
 const std::vector<Codec>& codecs_of(Signal signal)
 {
@@ -98,12 +122,14 @@ const std::vector<Codec>& codecs_of(Signal signal)
     static const std::vector<Codec> material = {{"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
     static const std::vector<Codec> normal = {{"octahedral_rg16", rg16, Packing::octahedral},
                                               {"octahedral_rg8", rg8, Packing::octahedral},
+                                              {"sphere_map_rg16", rg16, Packing::sphere_map},
+                                              {"sphere_map_rg32f", rg32f, Packing::sphere_map},
                                               {"rgb10_a2", rgb10_a2, Packing::signed_10},
                                               {"rgba16f", rgba16f},
                                               {"rgba32f", rgba32f}};
     static const std::vector<Codec> position = {{"rgba32f", rgba32f}, {"rgba16f", rgba16f}};
-    static const std::vector<Codec> depth = {{"depth32f", depth32f}, {"depth24", depth24}, {"r32f", r32f}};
-    static const std::vector<Codec> atlas_uv = {{"rg16", rg16}, {"rg16f", rg16f}};
+    static const std::vector<Codec> depth = {{"depth32f", depth32f}, {"depth24", depth24}, {"r32f", r32f}, {"linear_r32f", r32f, Packing::linear}};
+    static const std::vector<Codec> atlas_uv = {{"rg16", rg16}, {"rg16f", rg16f}, {"rg32f", rg32f}};
     static const std::vector<Codec> mask = {{"r8", r8}, {"r16f", r16f}, {"r32f", r32f}};
     static const std::vector<Codec> velocity = {{"rg16f", rg16f}, {"rg32f", rg32f}};
     static const std::vector<Codec> exposure = {{"r32f", r32f}};
@@ -155,7 +181,7 @@ std::vector<std::string> codec_names(Signal signal)
     return names;
 }
 
-Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec)
+Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec, DepthRange range)
 {
     const int components = info(signal).components;
     Picture decoded(raw.extent, components);
@@ -169,8 +195,13 @@ Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec)
                     value[c] = c < raw.channels ? texel[c] : c == 3 ? 1.0f : 0.0f;
                 continue;
             }
-            const auto direction = codec.packing == Packing::octahedral
-                                       ? octahedral_direction(texel[0], texel[1], codes)
+            if (codec.packing == Packing::linear) {
+                value[0] = device_depth(texel[0], range);
+                continue;
+            }
+            const auto direction = codec.packing == Packing::octahedral ? octahedral_direction(texel[0], texel[1], codes)
+                                   : codec.packing == Packing::sphere_map
+                                       ? sphere_map_direction(texel[0], texel[1])
                                        : signed_10_direction(texel);
             std::copy(direction.begin(), direction.end(), value);
         }

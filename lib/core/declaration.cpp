@@ -64,6 +64,25 @@ int PassDeclaration::find_output(std::string_view wanted) const { return index_o
 int PassDeclaration::find_param(std::string_view wanted) const { return index_of(params, wanted); }
 int PassDeclaration::find_selection(std::string_view wanted) const { return index_of(selections, wanted); }
 
+const Layout::Output* Layout::find(std::string_view wanted) const
+{
+    for (const Output& entry : outputs)
+        if (entry.output == wanted)
+            return &entry;
+    return nullptr;
+}
+
+std::string to_text(const Layout& layout, const Layout::Output& output)
+{
+    if (!output.derived_from.empty())
+        return "from " + output.derived_from;
+    std::string text;
+    for (const Layout::Place& place : output.places)
+        text += fmt::format("{}{}.{}", text.empty() ? "" : ", ", layout.targets[static_cast<size_t>(place.target)].name,
+                            place.channels);
+    return fmt::format("{} : {}", text, output.codec.name);
+}
+
 void PassLibrary::add(PassPtr pass) { passes_[pass->name] = std::move(pass); }
 
 PassPtr PassLibrary::find(std::string_view name) const

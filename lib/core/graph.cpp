@@ -167,13 +167,30 @@ int Graph::find_node(std::string_view name) const
     return -1;
 }
 
-std::string Graph::image_name(ImageRef image) const
+std::string_view name(ScenePort port)
+{
+    switch (port) {
+    case ScenePort::elements:
+        return "";
+    case ScenePort::sky:
+        return "sky";
+    case ScenePort::atlas_albedo:
+        return "atlas_albedo";
+    case ScenePort::atlas_material:
+        return "atlas_material";
+    case ScenePort::atlas_emissive:
+        return "atlas_emissive";
+    }
+    return "";
+}
+
+std::string image_name(const std::vector<GraphNode>& nodes, ImageRef image)
 {
     if (image.node < 0)
         return "nothing";
-    const GraphNode& node = nodes_[static_cast<size_t>(image.node)];
-    if (node.kind == GraphNode::Kind::scene && image.output == 1)
-        return node.name + ".sky";
+    const GraphNode& node = nodes[static_cast<size_t>(image.node)];
+    if (node.kind == GraphNode::Kind::scene && image.output > 0)
+        return fmt::format("{}.{}", node.name, name(static_cast<ScenePort>(image.output)));
     if (node.kind != GraphNode::Kind::pass || node.pass->outputs.size() == 1)
         return node.name;
     return node.name + "." + node.pass->outputs[static_cast<size_t>(image.output)].name;

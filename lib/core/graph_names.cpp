@@ -126,8 +126,8 @@ std::optional<ImageRef> Graph::find_image(std::string_view name, Error* why) con
                 outputs.emplace_back(node.pass->outputs[i].name, ImageRef{index, static_cast<int>(i)});
         } else {
             outputs.emplace_back("", ImageRef{index, 0});
-            if (node.kind == GraphNode::Kind::scene)
-                outputs.emplace_back("sky", ImageRef{index, 1});
+            for (int port = 1; node.kind == GraphNode::Kind::scene && port < kScenePorts; ++port)
+                outputs.emplace_back(passgraph::name(static_cast<ScenePort>(port)), ImageRef{index, port});
         }
         return outputs;
     };

@@ -71,11 +71,19 @@ Object step_json(const Plan::Step& step, bool with_glsl)
     return json;
 }
 
+Object places_json(const Plan::Output& output)
+{
+    Object places = Object::array();
+    for (const Plan::Output::Place& place : output.places)
+        places.push_back({{"index", place.index}, {"channels", place.channels}});
+    return places;
+}
+
 } // namespace
 
 std::string to_json(const Plan& plan, bool with_glsl)
 {
-    static constexpr std::array<const char*, 3> kImportKinds = {"picture", "cube", "sky"};
+    static constexpr std::array<const char*, 4> kImportKinds = {"picture", "cube", "sky", "atlas"};
     Object json = {{"passgraph", 1},
                    {"extent", extent_json(plan.extent)},
                    {"bytes", plan.bytes},
@@ -102,7 +110,7 @@ std::string to_json(const Plan& plan, bool with_glsl)
         json["outputs"].push_back({{"name", output.name},
                                    {"image", output.image},
                                    {"source", output.source == Plan::Read::Source::slot ? "slot" : "import"},
-                                   {"index", output.index},
+                                   {"places", places_json(output)},
                                    {"signal", info(output.signal).name},
                                    {"codec", output.codec.name},
                                    {"extent", extent_json(output.extent)}});

@@ -67,10 +67,13 @@ Object param_json(const Param& param)
 
 Object layout_json(const Layout& layout)
 {
-    Object codecs = Object::object();
-    for (const auto& [output, codec] : layout.codecs)
-        codecs[output] = codec;
-    return {{"name", layout.name}, {"codecs", codecs}};
+    Object targets = Object::object();
+    for (const Layout::Target& target : layout.targets)
+        targets[target.name] = passgraph::name(target.format);
+    Object outputs = Object::object();
+    for (const Layout::Output& output : layout.outputs)
+        outputs[output.output] = to_text(layout, output);
+    return {{"name", layout.name}, {"targets", targets}, {"outputs", outputs}};
 }
 
 } // namespace

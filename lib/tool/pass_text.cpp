@@ -45,7 +45,9 @@ std::string input_line(const InputPort& port)
         return fmt::format("  {}  a scene\n", port.name);
     static constexpr std::string_view kWraps[] = {"clamp", "mirror", "repeat"};
     return fmt::format("  {}  {}{}, {}, {}{}, read {}{}\n", port.name, info(port.signal).name,
-                       port.over == Over::sphere ? " over directions (a cube map)" : "",
+                       port.over == Over::sphere  ? " over directions (a cube map)"
+                       : port.over == Over::table ? " as a table"
+                                                  : "",
                        port.filter == Filter::linear ? "linear" : "nearest", kWraps[static_cast<size_t>(port.wrap)],
                        port.has_levels ? ", with levels" : "", to_text(port.access), port.is_optional ? ", optional" : "");
 }
@@ -127,8 +129,8 @@ std::string pass_page(const PassDeclaration& pass)
                             fmt::join(selection.items, ", "));
     for (const Layout& layout : pass.layouts) {
         text += fmt::format("layout {}\n", layout.name);
-        for (const auto& [output, codec] : layout.codecs)
-            text += fmt::format("  {}  {}\n", output, codec);
+        for (const Layout::Output& output : layout.outputs)
+            text += fmt::format("  {}  {}\n", output.output, to_text(layout, output));
     }
     return text;
 }

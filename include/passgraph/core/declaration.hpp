@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <passgraph/core/codec.hpp>
 #include <passgraph/core/error.hpp>
 #include <passgraph/core/signal.hpp>
 
@@ -65,8 +66,9 @@ struct Selection {
 
 enum class Filter : std::uint8_t { nearest, linear };
 enum class AddressMode : std::uint8_t { clamp, mirror, repeat };
-/// What an input is a function of: a place in the picture or a direction (cube map); or the scene a geometry pass draws.
-enum class Over : std::uint8_t { image, sphere, scene };
+/// What an input is a function of: a place in the picture, a direction (cube map) or a place in a table, which has an
+/// extent of its own and is never fused; or the scene a geometry pass draws.
+enum class Over : std::uint8_t { image, sphere, table, scene };
 
 /// How a pass reads an input, derived from its syntax tree; the compiler trusts nothing else.
 enum class AccessClass : std::uint8_t {
@@ -124,10 +126,29 @@ struct Reads {
     bool elements = false;
 };
 
-/// One layout of a geometry pass: a codec per output, by name.
+/// One layout of a geometry pass: what it draws into, and where each output stands there or what it is computed from.
 struct Layout {
+    struct Target {
+        std::string name;
+        Format format = Format::rgba8;
+    };
+    /// Channels of a target: "rg", "a".
+    struct Place {
+        int target = 0;
+        std::string channels;
+    };
+    struct Output {
+        std::string output;
+        Codec codec{};               ///< how its codes are made
+        std::vector<Place> places{}; ///< where they stand, in the order of the codes; empty when derived
+        std::string derived_from{};  ///< or the pass that computes it from other outputs and the scene
+        Location where{};
+    };
     std::string name;
-    std::vector<std::pair<std::string, std::string>> codecs;
+    std::vector<Target> targets; ///< in the order of the outputs that stand there
+    std::vector<Output> outputs;
+
+    const Output* find(std::string_view wanted) const;
 };
 
 /// GLSL text with the names it puts at global scope, so that each use can be renamed.
@@ -164,6 +185,9 @@ struct PassDeclaration {
     int find_param(std::string_view wanted) const;
     int find_selection(std::string_view wanted) const;
 };
+
+/// "a.rg : octahedral_rg16", "from position_from_depth": where an output stands, as a header says it.
+std::string to_text(const Layout& layout, const Layout::Output& output);
 
 using PassPtr = std::shared_ptr<const PassDeclaration>;
 

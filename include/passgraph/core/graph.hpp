@@ -91,6 +91,15 @@ struct GraphNode {
     Location where;
 };
 
+/// The ports of a scene, by their output number: what it draws, the sky around it, and the textures of its surfaces.
+enum class ScenePort : std::uint8_t { elements, sky, atlas_albedo, atlas_material, atlas_emissive };
+inline constexpr int kScenePorts = 5;
+/// "sky"; "" for the elements.
+std::string_view name(ScenePort port);
+
+/// "node.port", or "node" when it has one output: for messages and plans.
+std::string image_name(const std::vector<GraphNode>& nodes, ImageRef image);
+
 struct GraphOutput {
     std::string name;
     ImageRef from;
@@ -215,8 +224,7 @@ public:
     int find_node(std::string_view name) const; ///< index or -1
     /// The image called NODE, NODE.PORT or INPUT; nullopt when there is none. `why` then says what is wrong.
     std::optional<ImageRef> find_image(std::string_view name, Error* why = nullptr) const;
-    /// "node.port", or "node" when it has one output: for messages.
-    std::string image_name(ImageRef image) const;
+    std::string image_name(ImageRef image) const { return passgraph::image_name(nodes_, image); }
 
     /// The settings of plain passes ("node.name") that a name stands for: one of the graph's own params, one of a composite's,
     /// or the name itself. Empty when there is none.

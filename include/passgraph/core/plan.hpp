@@ -20,9 +20,10 @@ struct Plan {
         std::vector<std::string> images; ///< who lives here, in order of time
     };
 
-    /// A picture or cube map the host supplies, by name. `extent` is that the plan was compiled for (pictures only).
+    /// A picture or cube map the host supplies, or the scene's sky or atlas, by name. `extent` is that the plan was
+    /// compiled for (pictures only).
     struct Import {
-        enum class Kind : std::uint8_t { picture, cube, sky };
+        enum class Kind : std::uint8_t { picture, cube, sky, atlas };
         Kind kind = Kind::picture;
         std::string name;
         Signal signal = Signal::radiance;
@@ -54,7 +55,7 @@ struct Plan {
     /// A color attachment, at the location of its position in `targets`.
     struct Target {
         int slot = 0;
-        std::string image;
+        std::string image; ///< or several, joined with " + "
     };
 
     /// One draw of a full-screen triangle, or one traversal of the scene's elements.
@@ -75,10 +76,15 @@ struct Plan {
     };
 
     struct Output {
+        /// Where some of the image's codes stand: a slot or import, and its channels.
+        struct Place {
+            int index = 0;
+            std::string channels;
+        };
         std::string name;
         std::string image;
         Read::Source source = Read::Source::slot;
-        int index = 0;
+        std::vector<Place> places; ///< in the order of the codes; most images have one
         Signal signal = Signal::radiance;
         Codec codec;
         Extent extent;

@@ -5,23 +5,27 @@
 
 namespace passgraph::compiler {
 
-std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws, const Order& order)
+std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& encoding, const Draws& draws,
+                                     const Order& order)
 {
-    std::map<ImageRef, Lifetime, ImageLess> lifetimes;
+    std::map<TargetRef, Lifetime> lifetimes;
+    const auto keep = [&](ImageRef image, size_t until) {
+        for (const TargetRef target : encoding.targets_of(image))
+            if (const auto found = lifetimes.find(target); found != lifetimes.end())
+                found->second.last = static_cast<int>(until);
+    };
     for (size_t time = 0; time < order.size(); ++time) {
         const Draw& draw = draws.draws[static_cast<size_t>(order[time])];
-        for (const ImageRef image : draw.stored)
-            lifetimes[image] = {image, static_cast<int>(time), static_cast<int>(time)};
+        for (const TargetRef target : targets_of(encoding, draw))
+            lifetimes[target] = {target, static_cast<int>(time), static_cast<int>(time)};
         for (const ExternalRead& read : external_reads(graph, draw.nodes))
-            if (const auto found = lifetimes.find(read.image); found != lifetimes.end())
-                found->second.last = static_cast<int>(time);
+            keep(read.image, time);
     }
     // The host reads outputs after the frame.
-    for (const GraphOutput& output : graph.graph->outputs())
-        if (const auto found = lifetimes.find(output.from); found != lifetimes.end())
-            found->second.last = static_cast<int>(order.size());
+    for (const GraphOutput& output : graph.outputs)
+        keep(output.from, order.size());
     std::vector<Lifetime> sorted;
-    for (const auto& [image, lifetime] : lifetimes)
+    for (const auto& [target, lifetime] : lifetimes)
         sorted.push_back(lifetime);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Lifetime& a, const Lifetime& b) { return a.first < b.first; });
@@ -38,8 +42,8 @@ Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vec
     Slots result;
     std::vector<int> busy_until;
     for (const Lifetime& lifetime : lifetimes) {
-        const Format format = encoding.of(lifetime.image).format;
-        const Extent extent = graph.image(lifetime.image).extent;
+        const Format format = encoding.target(lifetime.target).format;
+        const Extent extent = graph.images[static_cast<size_t>(lifetime.target.node)].front().extent;
         const std::int64_t bytes = static_cast<std::int64_t>(bytes_per_texel(format)) * extent.width * extent.height;
         result.bytes_unshared += bytes;
         size_t slot = 0;
@@ -53,8 +57,8 @@ Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vec
             result.bytes += bytes;
         }
         busy_until[slot] = lifetime.last;
-        result.slots[slot].images.push_back(graph.graph->image_name(lifetime.image));
-        result.slot_of[lifetime.image] = static_cast<int>(slot);
+        result.slots[slot].images.push_back(target_name(graph, encoding, lifetime.target));
+        result.slot_of[lifetime.target] = static_cast<int>(slot);
     }
     return result;
 }

@@ -11,13 +11,14 @@ Result<Plan> compile(const Graph& graph, const CompileOptions& options)
     const auto typed = validate(graph, options); // validate.cpp  every mistake at once
     if (!typed)
         return tl::unexpected(typed.error());
-    const auto encoding = encode(*typed);                                    // encode.cpp    stored how
-    const auto live = cull(*typed, options.cull);                            // cull.cpp      nothing unread
-    const auto draws = fuse(*typed, live, options);                          // fuse.cpp      in how few draws
-    const auto order = order_draws(*typed, draws);                           // order.cpp     when
-    const auto lifetimes = find_lifetimes(*typed, draws, order);             // allocate.cpp  needed from when to when
-    const auto slots = allocate(*typed, encoding, lifetimes, options.alias); // allocate.cpp in which memory
-    Plan plan = lower(*typed, encoding, draws, order, slots, options);       // lower.cpp     bind, clear, draw
+    const auto whole = derive(*typed);                                      // derive.cpp    what layouts leave out
+    const auto encoding = encode(whole);                                    // encode.cpp    stored how
+    const auto live = cull(whole, options.cull);                            // cull.cpp      nothing unread
+    const auto draws = fuse(whole, encoding, live, options);                // fuse.cpp      in how few draws
+    const auto order = order_draws(whole, draws);                           // order.cpp     when
+    const auto lifetimes = find_lifetimes(whole, encoding, draws, order);   // allocate.cpp  needed from when to when
+    const auto slots = allocate(whole, encoding, lifetimes, options.alias); // allocate.cpp  in which memory
+    Plan plan = lower(whole, encoding, draws, order, slots, options);       // lower.cpp     bind, clear, draw
     plan.culled = live.culled;
     return plan;
 }

@@ -10,7 +10,7 @@ Liveness cull(const TypedGraph& graph, bool is_on)
 {
     Liveness live;
     live.is_live.assign(static_cast<size_t>(graph.node_count()), !is_on);
-    for (const GraphOutput& output : graph.graph->outputs())
+    for (const GraphOutput& output : graph.outputs)
         live.is_live[static_cast<size_t>(output.from.node)] = true;
     for (int index = graph.node_count() - 1; index >= 0; --index) {
         if (!live.is_live[static_cast<size_t>(index)])

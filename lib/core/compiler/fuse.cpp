@@ -14,8 +14,8 @@ namespace {
 /// Grows draws by merging the draw of a reader with the draw of what it reads, edge by edge in declaration order.
 class Fusion {
 public:
-    Fusion(const TypedGraph& graph, const Liveness& live, const CompileOptions& options)
-        : graph_(graph), options_(options), draw_of_(static_cast<size_t>(graph.node_count()), -1)
+    Fusion(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options)
+        : graph_(graph), encoding_(encoding), options_(options), draw_of_(static_cast<size_t>(graph.node_count()), -1)
     {
         for (int node = 0; node < graph.node_count(); ++node) {
             if (live.is_live[static_cast<size_t>(node)] && graph.is_pass(node)) {
@@ -59,8 +59,8 @@ public:
         for_each_edge([&](ImageRef image, int reader, int) {
             const int a = draw_of(image.node);
             const int b = draw_of(reader);
-            if (a != b && seen.emplace(graph_.graph->image_name(image), graph_.node(reader).name).second)
-                result.boundaries.push_back({graph_.graph->image_name(image), graph_.node(reader).name, why_not(a, b)});
+            if (a != b && seen.emplace(graph_.name(image), graph_.node(reader).name).second)
+                result.boundaries.push_back({graph_.name(image), graph_.node(reader).name, why_not(a, b)});
         });
         add_inlined(result);
         return result;
@@ -120,7 +120,9 @@ private:
             const InputPort& input = graph_.node(reader).pass->inputs[static_cast<size_t>(port)];
             const bool is_at_pixel =
                 input.access.kind == AccessClass::pointwise || input.access.kind == AccessClass::size_only;
-            if (!is_at_pixel)
+            if (input.over == Over::table)
+                reason = fmt::format("{}.{} reads it as a table", graph_.node(reader).name, input.name);
+            else if (!is_at_pixel)
                 reason =
                     fmt::format("{}.{} reads it as {}", graph_.node(reader).name, input.name, to_text(input.access));
         });
@@ -170,7 +172,8 @@ private:
         std::set<std::tuple<int, int, Filter, AddressMode, bool>> textures;
         for (const ExternalRead& read : external_reads(graph_, both)) {
             const InputPort& port = graph_.node(read.node).pass->inputs[static_cast<size_t>(read.port)];
-            textures.emplace(read.image.node, read.image.output, port.filter, port.wrap, port.has_levels);
+            for (const TargetRef target : encoding_.targets_of(read.image))
+                textures.emplace(target.node, target.target, port.filter, port.wrap, port.has_levels);
         }
         constexpr int kHostBuffers = 1; // the lights
         if (static_cast<int>(textures.size()) + kHostBuffers > options_.device.max_texture_units)
@@ -187,20 +190,13 @@ private:
     {
         const auto is_inside = [&](int node) { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); };
         std::set<ImageRef, ImageLess> stored;
-        for (const GraphOutput& output : graph_.graph->outputs())
+        for (const GraphOutput& output : graph_.outputs)
             if (is_inside(output.from.node))
                 stored.insert(output.from);
         for_each_edge([&](ImageRef image, int reader, int) {
             if (is_inside(image.node) && !is_inside(reader))
                 stored.insert(image);
         });
-        for (const int node : nodes) {
-            const PassDeclaration& pass = *graph_.node(node).pass;
-            // Geometry needs its depth buffer, whoever reads it.
-            const int depth = pass.kind == PassKind::geometry ? pass.find_output("depth") : -1;
-            if (depth >= 0)
-                stored.insert({node, depth});
-        }
         if (stored.empty()) // kept alive by force: it needs somewhere to draw
             stored.insert({nodes.back(), 0});
         return {stored.begin(), stored.end()};
@@ -214,11 +210,12 @@ private:
         std::set<ImageRef, ImageLess> inlined;
         for_each_edge([&](ImageRef image, int, int) {
             if (!stored.contains(image) && inlined.insert(image).second)
-                result.inlined.push_back(graph_.graph->image_name(image));
+                result.inlined.push_back(graph_.name(image));
         });
     }
 
     const TypedGraph& graph_;
+    const Encoding& encoding_;
     const CompileOptions& options_;
     std::vector<int> draw_of_;
     std::vector<std::vector<int>> members_;
@@ -241,9 +238,9 @@ std::vector<ExternalRead> external_reads(const TypedGraph& graph, const std::vec
     return reads;
 }
 
-Draws fuse(const TypedGraph& graph, const Liveness& live, const CompileOptions& options)
+Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options)
 {
-    Fusion fusion(graph, live, options);
+    Fusion fusion(graph, encoding, live, options);
     fusion.merge_what_may();
     return fusion.result();
 }

@@ -1,7 +1,9 @@
 // What the compiler's steps hand to each other: plain values, each built by one step from the ones before.
 #pragma once
 
+#include <compare>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,15 @@ struct TypedImage {
     Extent extent;
 };
 
-/// A graph without mistakes: `images[node][output]`.
+/// A graph without mistakes: `images[node][output]`. Steps that change a graph hand on another.
 struct TypedGraph {
-    const Graph* graph = nullptr;
+    std::vector<GraphNode> nodes; ///< producers first
+    std::vector<GraphOutput> outputs;
     std::vector<std::vector<TypedImage>> images;
+    const PassLibrary* library = nullptr; ///< where derivations are found
 
-    const GraphNode& node(int index) const { return graph->nodes()[static_cast<size_t>(index)]; }
+    const GraphNode& node(int index) const { return nodes[static_cast<size_t>(index)]; }
+    std::string name(ImageRef image) const { return image_name(nodes, image); }
     const TypedImage& image(ImageRef ref) const
     {
         return images[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)];
@@ -33,19 +38,41 @@ struct TypedGraph {
     bool is_pass(int index) const { return node(index).kind == GraphNode::Kind::pass; }
 };
 
-/// The codec of each image: `codecs[node][output]`.
-struct Encoding {
-    std::vector<std::vector<Codec>> codecs;
-    const Codec& of(ImageRef ref) const
-    {
-        return codecs[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)];
-    }
+/// A texture that a node draws into; one may hold several images, and one image may stand in several.
+struct TargetRef {
+    int node = -1;
+    int target = 0;
+    friend auto operator<=>(const TargetRef&, const TargetRef&) = default;
 };
 
-/// A depth buffer is what geometry writes its depth to, and nothing else: a full-screen draw has none.
-inline bool can_store(const PassDeclaration& pass, Signal signal, const Codec& codec)
+/// How an image stands in the targets of its node; without places it is never stored.
+struct Storage {
+    Codec codec;
+    std::vector<Layout::Place> places;
+};
+
+/// How everything is stored: `storage[node][output]`, and `targets[node]` to hold it.
+struct Encoding {
+    std::vector<std::vector<Storage>> storage;
+    std::vector<std::vector<Layout::Target>> targets;
+    std::vector<int> depth_target; ///< by node: what geometry tests against; -1 for full-screen passes
+
+    const Storage& of(ImageRef ref) const
+    {
+        return storage[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.output)];
+    }
+    const Layout::Target& target(TargetRef ref) const
+    {
+        return targets[static_cast<size_t>(ref.node)][static_cast<size_t>(ref.target)];
+    }
+    /// Where an image stands, each target once.
+    std::set<TargetRef> targets_of(ImageRef image) const;
+};
+
+/// A full-screen draw has no depth buffer to write its depth to.
+inline bool can_store(const PassDeclaration& pass, const Codec& codec)
 {
-    return signal != Signal::depth || is_depth(codec.format) == (pass.kind == PassKind::geometry);
+    return !is_depth(codec.format) || pass.kind == PassKind::geometry;
 }
 
 /// Which nodes an output depends on.
@@ -74,30 +101,40 @@ struct ImageLess {
     bool operator()(ImageRef a, ImageRef b) const { return a.node != b.node ? a.node < b.node : a.output < b.output; }
 };
 
-/// When a stored image is needed: from the draw that writes it to the last that reads it, as positions in the order.
+/// When a target is needed: from the draw that writes it to the last that reads it, as positions in the order.
 struct Lifetime {
-    ImageRef image;
+    TargetRef target;
     int first = 0;
     int last = 0;
 };
 
 struct Slots {
     std::vector<Plan::Slot> slots;
-    std::map<ImageRef, int, ImageLess> slot_of;
+    std::map<TargetRef, int> slot_of;
     std::int64_t bytes = 0;
     std::int64_t bytes_unshared = 0;
 };
 
 Result<TypedGraph> validate(const Graph& graph, const CompileOptions& options);
+TypedGraph derive(const TypedGraph& graph);
 Encoding encode(const TypedGraph& graph);
 Liveness cull(const TypedGraph& graph, bool is_on);
-Draws fuse(const TypedGraph& graph, const Liveness& live, const CompileOptions& options);
+Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options);
 Order order_draws(const TypedGraph& graph, const Draws& draws);
-std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Draws& draws, const Order& order);
+std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& encoding, const Draws& draws,
+                                     const Order& order);
 Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes,
                bool is_shared);
 Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
            const Slots& slots, const CompileOptions& options);
+
+/// What a draw writes: where its stored images stand, and geometry's depth buffer.
+std::set<TargetRef> targets_of(const Encoding& encoding, const Draw& draw);
+/// The images that stand in a target, for people: "surface.normal + surface.atlas_uv".
+std::string target_name(const TypedGraph& graph, const Encoding& encoding, TargetRef target);
+
+/// The layout that a node's pass is drawn with; nullptr when its pass has none.
+const Layout* layout_of(const GraphNode& node);
 
 /// The images of other draws, pictures and cubes that a draw reads: each with the port that reads it.
 struct ExternalRead {

@@ -82,7 +82,7 @@ private:
             return source;
         const TypedImage& image = graph_.image(wire->from);
         source.signal = image.signal;
-        source.codec = encoding_.of(wire->from);
+        source.codec = encoding_.of(wire->from).codec;
         source.extent = image.extent;
         if (const auto inside = instance_of_.find(wire->from.node); inside != instance_of_.end()) {
             source.kind = glsl::InputSource::Kind::value;
@@ -92,7 +92,10 @@ private:
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
         source.is_import = imports_.contains(wire->from);
-        source.name = sampler_for(wire->from, port, filter_for(port, image));
+        for (const Layout::Place& place : encoding_.of(wire->from).places)
+            source.pieces.push_back(
+                {sampler_for(wire->from, place.target, port, filter_for(port, image)), place.channels});
+        source_.reads.camera |= source.codec.packing == Packing::linear;
         return source;
     }
 
@@ -100,21 +103,22 @@ private:
     Filter filter_for(const InputPort& port, const TypedImage& image) const
     {
         const bool is_own_texel =
-            port.access.kind == AccessClass::pointwise && image.extent == graph_.image(draw_.stored.front()).extent;
+            port.over == Over::image && port.access.kind == AccessClass::pointwise &&
+            image.extent == graph_.image(draw_.stored.front()).extent;
         return port.over == Over::sphere ? Filter::linear : is_own_texel ? Filter::nearest : port.filter;
     }
 
     /// The sampler that reads an image in the port's way; equal ways share one.
-    std::string sampler_for(ImageRef image, const InputPort& port, Filter filter)
+    std::string sampler_for(ImageRef image, int target, const InputPort& port, Filter filter)
     {
         Plan::Read read;
         const auto import = imports_.find(image);
         read.source = import == imports_.end() ? Plan::Read::Source::slot : Plan::Read::Source::import;
-        read.index = import == imports_.end() ? slots_.slot_of.at(image) : import->second;
+        read.index = import == imports_.end() ? slots_.slot_of.at({image.node, target}) : import->second;
         read.filter = filter;
         read.wrap = port.wrap;
         read.has_levels = port.has_levels || port.over == Over::sphere;
-        read.image = graph_.graph->image_name(image);
+        read.image = import == imports_.end() ? target_name(graph_, encoding_, {image.node, target}) : graph_.name(image);
         const auto same = std::find_if(step_.reads.begin(), step_.reads.end(), [&](const Plan::Read& other) {
             return other.source == read.source && other.index == read.index && other.filter == read.filter &&
                    other.wrap == read.wrap && other.has_levels == read.has_levels;
@@ -129,18 +133,37 @@ private:
 
     void add_targets()
     {
-        for (const ImageRef image : draw_.stored) {
-            const int slot = slots_.slot_of.at(image);
-            step_.extent = graph_.image(image).extent;
-            if (is_depth(encoding_.of(image).format)) {
+        for (const TargetRef target : targets_of(encoding_, draw_)) {
+            const int slot = slots_.slot_of.at(target);
+            step_.extent = graph_.images[static_cast<size_t>(target.node)].front().extent;
+            if (is_depth(encoding_.target(target).format)) {
                 step_.depth_slot = slot;
                 continue;
             }
-            const glsl::Instance& instance = source_.instances[static_cast<size_t>(instance_of_.at(image.node))];
-            source_.targets.push_back({glsl::value_name(instance, static_cast<size_t>(image.output)),
-                                       graph_.image(image).signal, encoding_.of(image)});
-            step_.targets.push_back({slot, graph_.graph->image_name(image)});
+            source_.targets.push_back(stored_in(target));
+            step_.targets.push_back({slot, target_name(graph_, encoding_, target)});
         }
+    }
+
+    /// Every image with a place in the target: which of its codes stand in which channels.
+    std::vector<glsl::StoredValue> stored_in(TargetRef target)
+    {
+        const glsl::Instance& instance = source_.instances[static_cast<size_t>(instance_of_.at(target.node))];
+        std::vector<glsl::StoredValue> values;
+        const auto& storage = encoding_.storage[static_cast<size_t>(target.node)];
+        for (int output = 0; output < static_cast<int>(storage.size()); ++output) {
+            size_t code = 0;
+            for (const Layout::Place& place : storage[static_cast<size_t>(output)].places) {
+                if (place.target == target.target) {
+                    const Codec& codec = storage[static_cast<size_t>(output)].codec;
+                    values.push_back({glsl::value_name(instance, static_cast<size_t>(output)),
+                                      graph_.image({target.node, output}).signal, codec, place.channels, code});
+                    source_.reads.camera |= codec.packing == Packing::linear;
+                }
+                code += place.channels.size();
+            }
+        }
+        return values;
     }
 
     const TypedGraph& graph_;
@@ -162,10 +185,11 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
         if (node.kind == GraphNode::Kind::pass || !imports.emplace(image, static_cast<int>(plan.imports.size())).second)
             return;
         Plan::Import import;
-        import.kind = node.kind == GraphNode::Kind::scene  ? Plan::Import::Kind::sky
-                      : node.kind == GraphNode::Kind::cube ? Plan::Import::Kind::cube
-                                                           : Plan::Import::Kind::picture;
-        import.name = node.kind == GraphNode::Kind::scene ? node.name + ".sky" : node.name;
+        import.kind = graph.image(image).over == Over::table ? Plan::Import::Kind::atlas
+                      : node.kind == GraphNode::Kind::scene  ? Plan::Import::Kind::sky
+                      : node.kind == GraphNode::Kind::cube   ? Plan::Import::Kind::cube
+                                                             : Plan::Import::Kind::picture;
+        import.name = graph.name(image);
         import.signal = graph.image(image).signal;
         import.extent = graph.image(image).extent;
         plan.imports.push_back(import);
@@ -173,7 +197,7 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
     for (const Draw& draw : draws.draws)
         for (const ExternalRead& read : external_reads(graph, draw.nodes))
             add(read.image);
-    for (const GraphOutput& output : graph.graph->outputs())
+    for (const GraphOutput& output : graph.outputs)
         add(output.from);
     return imports;
 }
@@ -194,15 +218,17 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     for (const int draw : order)
         plan.steps.push_back(
             StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)]).run());
-    for (const GraphOutput& output : graph.graph->outputs()) {
+    for (const GraphOutput& output : graph.outputs) {
         Plan::Output result;
         result.name = output.name;
-        result.image = graph.graph->image_name(output.from);
+        result.image = graph.name(output.from);
         const auto import = imports.find(output.from);
         result.source = import == imports.end() ? Plan::Read::Source::slot : Plan::Read::Source::import;
-        result.index = import == imports.end() ? slots.slot_of.at(output.from) : import->second;
+        for (const Layout::Place& place : encoding.of(output.from).places)
+            result.places.push_back({import == imports.end() ? slots.slot_of.at({output.from.node, place.target}) : import->second,
+                                     place.channels});
         result.signal = graph.image(output.from).signal;
-        result.codec = encoding.of(output.from);
+        result.codec = encoding.of(output.from).codec;
         result.extent = graph.image(output.from).extent;
         plan.outputs.push_back(std::move(result));
     }

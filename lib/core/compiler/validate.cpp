@@ -15,6 +15,8 @@ std::string_view over_text(Over over)
         return "an image";
     case Over::sphere:
         return "a cube map";
+    case Over::table:
+        return "a table";
     case Over::scene:
         return "a scene";
     }
@@ -26,7 +28,9 @@ public:
     Validator(const Graph& graph, const CompileOptions& options)
         : graph_(graph), options_(options), errors_(graph.errors())
     {
-        typed_.graph = &graph;
+        typed_.nodes = graph.nodes();
+        typed_.outputs = graph.outputs();
+        typed_.library = &graph.library();
     }
 
     Result<TypedGraph> run()
@@ -67,7 +71,11 @@ private:
         const GraphNode& node = *current_;
         switch (node.kind) {
         case GraphNode::Kind::scene:
-            return {{Signal::radiance, Over::scene, options_.extent}, {Signal::radiance, Over::sphere, {}}};
+            return {{Signal::radiance, Over::scene, options_.extent},
+                    {Signal::radiance, Over::sphere, {}},
+                    {Signal::albedo, Over::table, {}},
+                    {Signal::material, Over::table, {}},
+                    {Signal::radiance, Over::table, {}}};
         case GraphNode::Kind::cube:
             return {{node.signal, Over::sphere, {}}};
         default:
@@ -85,6 +93,7 @@ private:
         generic_.reset();
         for (size_t i = 0; i < pass.inputs.size(); ++i)
             check_input(pass.inputs[i], current_->inputs[i]);
+        check_derivations();
         std::vector<TypedImage> outputs;
         for (size_t i = 0; i < pass.outputs.size(); ++i) {
             const OutputPort& port = pass.outputs[i];
@@ -97,6 +106,44 @@ private:
             outputs.push_back(image);
         }
         return outputs;
+    }
+
+    /// A layout may leave an output to a pass that computes it from other outputs and from the scene, wired by name.
+    void check_derivations()
+    {
+        const PassDeclaration& pass = *current_->pass;
+        const Layout* layout = layout_of(*current_);
+        for (size_t i = 0; layout && i < layout->outputs.size(); ++i) {
+            const Layout::Output& output = layout->outputs[i];
+            if (output.derived_from.empty())
+                continue;
+            const PassPtr derivation = graph_.library().find(output.derived_from);
+            const std::string place = fmt::format("layout `{}` of `{}`: `{}`", layout->name, pass.name, output.output);
+            if (!derivation) {
+                report("unknown_pass", fmt::format("{}: there is no pass `{}`", place, output.derived_from),
+                       suggest(output.derived_from, graph_.library().names(), "passes"), output.where);
+                continue;
+            }
+            if (derivation->find_output(output.output) < 0)
+                report("unknown_output", fmt::format("{}: `{}` has no output of that name", place, derivation->name),
+                       "name a pass whose output has the same name", output.where);
+            for (const InputPort& port : derivation->inputs) {
+                const int stored = pass.find_output(port.name);
+                const bool is_wired = stored >= 0 && accepts(port.signal, pass.outputs[static_cast<size_t>(stored)].signal);
+                if (!is_wired && !is_scene_port(port.name) && !port.is_optional)
+                    report("input_missing", fmt::format("{}: nothing is called `{}`, which `{}` reads", place, port.name,
+                                                        derivation->name),
+                           "its inputs are outputs of the geometry pass or ports of the scene", output.where);
+            }
+        }
+    }
+
+    static bool is_scene_port(std::string_view port)
+    {
+        for (int i = 1; i < kScenePorts; ++i)
+            if (port == name(static_cast<ScenePort>(i)))
+                return true;
+        return false;
     }
 
     bool is_known(ImageRef image) const
@@ -121,7 +168,9 @@ private:
             return; // reported when the name was resolved
         const TypedImage& image = typed_.image(wire->from);
         const std::string from = graph_.image_name(wire->from);
-        if (image.over != port.over) {
+        // A table may be an image that a pass makes.
+        const bool fits = image.over == port.over || (port.over == Over::table && image.over == Over::image);
+        if (!fits) {
             report(
                 "over_mismatch",
                 fmt::format("{}: expects {}, got {} from {}", place, over_text(port.over), over_text(image.over), from),
@@ -261,13 +310,11 @@ private:
         if (codec.empty())
             return;
         if (const Codec* found = find_codec(signal, codec)) {
-            if (!can_store(*current_->pass, signal, *found))
+            if (!can_store(*current_->pass, *found))
                 report("unknown_codec",
                        fmt::format("{}.{}: `{}` cannot store the depth of a pass of this kind", current_->name,
                                    current_->pass->outputs[output].name, codec),
-                       found->format == Format::r32f
-                           ? "geometry writes its depth to a depth buffer: depth32f or depth24"
-                           : "a full-screen pass has no depth buffer: r32f",
+                       "a full-screen pass has no depth buffer: r32f",
                        current_->where);
             return;
         }

@@ -24,6 +24,12 @@ float view_distance(float depth)
     // Reversed depth d of the distance z: d = n (f - z) / (z (f - n)), so z = n f / (n + d (f - n)).
     return passgraph_range.x * passgraph_range.y / (passgraph_range.x + depth * (passgraph_range.y - passgraph_range.x));
 }
+float passgraph_distance_of(float depth) { return depth > 0.0 ? view_distance(depth) : 0.0; }
+float passgraph_depth_of(float distance)
+{
+    float above = passgraph_range.x * (passgraph_range.y - distance);
+    return distance > 0.0 ? above / (distance * (passgraph_range.y - passgraph_range.x)) : 0.0;
+}
 )";
 
 constexpr const char* kFrame = R"(layout(std140) uniform passgraph_frame_block

@@ -22,10 +22,25 @@ std::string constant_value(const InputPort& port)
     return literal(types[components - 1], port.default_value);
 }
 
-/// The expression that reads an input's texture at `place`, decoded, guarded when the host supplies it.
-std::string texture_value(const InputSource& source, const std::string& fetch)
+/// The expression that reads an input at `place` ("uv, 0.0"), decoded, guarded when the host supplies it.
+/// Codes that stand in the first channels of one texture are its texel; others are gathered into a vec4.
+std::string texture_value(const InputSource& source, std::string_view function, std::string_view place)
 {
-    std::string value = glsl_decode_call(source.signal, source.codec, fetch);
+    const auto fetch = [&](const InputSource::Piece& piece) {
+        return fmt::format("{}({}, {})", function, piece.sampler, place);
+    };
+    std::string texel;
+    size_t channels = 0;
+    for (const InputSource::Piece& piece : source.pieces) {
+        texel += fmt::format("{}.{}, ", fetch(piece), piece.channels);
+        channels += piece.channels.size();
+    }
+    if (source.pieces.size() == 1 && std::string_view("rgba").starts_with(source.pieces.front().channels))
+        texel = fetch(source.pieces.front());
+    else
+        texel = channels == 4 ? fmt::format("vec4({})", texel.substr(0, texel.size() - 2))
+                              : fmt::format("vec4({}{}1.0)", texel, channels == 1 ? "0.0, 0.0, " : channels == 2 ? "0.0, " : "");
+    std::string value = glsl_decode_call(source.signal, source.codec, texel);
     if (source.is_import)
         value = glsl_guard_call(source.signal, value);
     return value;
@@ -35,9 +50,10 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
 {
     const std::string_view type = glsl_type(seen_components(port));
     const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
-    const auto add = [&](const std::string& suffix, const std::string& parameters, const std::string& fetch) {
+    const auto add = [&](const std::string& suffix, const std::string& parameters, std::string_view function,
+                         std::string_view place) {
         const std::string whole = source.kind == InputSource::Kind::value     ? source.name
-                                  : source.kind == InputSource::Kind::texture ? texture_value(source, fetch)
+                                  : source.kind == InputSource::Kind::texture ? texture_value(source, function, place)
                                                                               : constant_value(port);
         const bool is_wide = source.kind != InputSource::Kind::constant && drops_alpha;
         text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters,
@@ -45,11 +61,19 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
         if (is_wide && suffix.empty())
             text.add_line(fmt::format("float {}_alpha(vec2 uv) {{ return ({}).a; }}", name, whole));
     };
-    add("", "vec2 uv",
-        port.has_levels ? fmt::format("textureLod({}, uv, 0.0)", source.name)
-                        : fmt::format("texture({}, uv)", source.name));
-    if (port.has_levels)
-        add("_lod", "vec2 uv, float lod", fmt::format("textureLod({}, uv, lod)", source.name));
+    if (port.has_levels) {
+        add("", "vec2 uv", "textureLod", "uv, 0.0");
+        add("_lod", "vec2 uv, float lod", "textureLod", "uv, lod");
+    } else {
+        add("", "vec2 uv", "texture", "uv");
+    }
+    const bool has_own_extent = source.extent.width > 0; // a table's may be known only when it is bound
+    if (!has_own_extent) {
+        const std::string size = fmt::format("textureSize({}, 0)", source.pieces.front().sampler);
+        text.add_line(fmt::format("vec2 {}_texel() {{ return 1.0 / vec2({}); }}", name, size));
+        text.add_line(fmt::format("ivec2 {}_size() {{ return {}; }}", name, size));
+        return;
+    }
     text.add_line(fmt::format("vec2 {}_texel() {{ return vec2({:#}, {:#}); }}", name,
                               1.0 / std::max(source.extent.width, 1), 1.0 / std::max(source.extent.height, 1)));
     text.add_line(
@@ -61,11 +85,12 @@ void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSo
     const std::string_view type = glsl_type(seen_components(port));
     const bool is_wired = source.kind == InputSource::Kind::cube;
     const std::string value = is_wired
-                                  ? texture_value(source, fmt::format("textureLod({}, direction, lod)", source.name))
+                                  ? texture_value(source, "textureLod", "direction, lod")
                                   : constant_value(port);
     text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
     text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
-                              is_wired ? fmt::format("floor(log2(float(textureSize({}, 0).x)))", source.name) : "0.0"));
+                              is_wired ? fmt::format("floor(log2(float(textureSize({}, 0).x)))", source.pieces.front().sampler)
+                                       : "0.0"));
 }
 
 void add_inputs(ProgramText& text, const Instance& instance, Renames& renames)
@@ -154,8 +179,10 @@ void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
     }
     text.add_line("    " + call + ");");
     for (size_t i = 0; i < pass.outputs.size(); ++i) {
-        if (kind == PassKind::geometry && pass.outputs[i].signal == Signal::depth)
+        if (kind == PassKind::geometry && pass.outputs[i].signal == Signal::depth) {
+            text.add_line(fmt::format("    {} = gl_FragCoord.z;", value_name(instance, i)));
             continue;
+        }
         text.add_line(fmt::format("    {} = {};", value_name(instance, i),
                                   guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
     }
@@ -169,6 +196,21 @@ void add_instance(ProgramText& text, const Instance& instance)
     add_inputs(text, instance, renames);
     add_settings(text, instance, renames);
     text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
+}
+
+/// Codes of one value fill a target; those of several share it.
+void add_target(ProgramText& text, const std::vector<StoredValue>& values, size_t location)
+{
+    const std::string target = fmt::format("passgraph_target_{}", location);
+    const auto codes = [](const StoredValue& stored) { return glsl_encode_call(stored.signal, stored.codec, stored.value); };
+    if (values.size() == 1 && values.front().first_code == 0 && std::string_view("rgba").starts_with(values.front().channels)) {
+        text.add_line(fmt::format("    {} = {};", target, codes(values.front())));
+        return;
+    }
+    text.add_line(fmt::format("    {} = vec4(0.0, 0.0, 0.0, 1.0);", target));
+    for (const StoredValue& stored : values)
+        text.add_line(fmt::format("    {}.{} = ({}).{};", target, stored.channels, codes(stored),
+                                  std::string_view("rgba").substr(stored.first_code, stored.channels.size())));
 }
 
 std::string fragment_text(const StepSource& step, std::vector<std::string>& sources)
@@ -191,9 +233,7 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     for (const Instance& instance : step.instances)
         add_evaluation(text, instance, step.kind);
     for (size_t i = 0; i < step.targets.size(); ++i)
-        text.add_line(
-            fmt::format("    passgraph_target_{} = {};", i,
-                        glsl_encode_call(step.targets[i].signal, step.targets[i].codec, step.targets[i].value)));
+        add_target(text, step.targets[i], i);
     text.add_line("}");
     return text.take();
 }

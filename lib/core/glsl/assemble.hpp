@@ -14,7 +14,13 @@ namespace passgraph::glsl {
 struct InputSource {
     enum class Kind { value, texture, cube, constant };
     Kind kind = Kind::constant;
-    std::string name;                 ///< value: the file-scope variable; texture, cube: the sampler
+    /// A sampler, and the channels in which it holds codes of the image.
+    struct Piece {
+        std::string sampler;
+        std::string channels;
+    };
+    std::string name;                 ///< value: the file-scope variable
+    std::vector<Piece> pieces;        ///< texture, cube: in the order of the codes
     Signal signal = Signal::radiance; ///< as wired
     Codec codec;                      ///< texture
     Extent extent;
@@ -32,10 +38,13 @@ struct Instance {
     std::vector<int> selections;     ///< as pass->selections
 };
 
+/// Codes of one value that stand in a target.
 struct StoredValue {
     std::string value; ///< file-scope variable
     Signal signal = Signal::radiance;
     Codec codec;
+    std::string channels; ///< of the target
+    size_t first_code = 0;
 };
 
 struct SamplerDeclaration {
@@ -46,7 +55,7 @@ struct SamplerDeclaration {
 struct StepSource {
     std::vector<Instance> instances;
     std::vector<SamplerDeclaration> samplers;
-    std::vector<StoredValue> targets; ///< by location
+    std::vector<std::vector<StoredValue>> targets; ///< by location: everything that stands there
     Reads reads;
     PassKind kind = PassKind::image;
 };

@@ -40,6 +40,21 @@ vec3 passgraph_octahedral_decode(vec2 texel, float codes)
     n.xy = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * passgraph_octahedral_sign(n.xy);
     return normalize(n);
 }
+// Lambert's azimuthal projection (aras-p, "Compact Normal Storage for Small G-Buffers", method 4): +Z in the middle, -Z
+// the whole rim. The lower half's radius is taken from z and its direction apart, so that -Z itself lands on the rim.
+vec2 passgraph_sphere_map_encode(vec3 n)
+{
+    float across = length(n.xy);
+    vec2 direction = across > 0.0 ? n.xy / across : vec2(1.0, 0.0);
+    float radius = n.z > 0.0 ? across * inversesqrt(8.0 * n.z + 8.0) : sqrt(max(1.0 - n.z, 0.0) * 0.125);
+    return direction * radius + 0.5;
+}
+vec3 passgraph_sphere_map_decode(vec2 texel)
+{
+    vec2 f = texel * 4.0 - 2.0;
+    float squared = dot(f, f);
+    return normalize(vec3(f * sqrt(max(1.0 - 0.25 * squared, 0.0)), 1.0 - 0.5 * squared));
+}
 vec3 passgraph_signed_10_encode(vec3 n) { return (n * 511.0 + 512.0) / 1023.0; }
 vec3 passgraph_signed_10_decode(vec3 texel) { return normalize((texel * 1023.0 - 512.0) / 511.0); }
 )";
@@ -69,6 +84,10 @@ std::string glsl_encode_call(Signal signal, const Codec& codec, std::string_view
                            codec.format == Format::rg8 ? "255.0" : "65535.0");
     case Packing::signed_10:
         return fmt::format("vec4(passgraph_signed_10_encode({}), 1.0)", value);
+    case Packing::sphere_map:
+        return fmt::format("vec4(passgraph_sphere_map_encode({}), 0.0, 1.0)", value);
+    case Packing::linear:
+        return fmt::format("vec4(passgraph_distance_of({}), 0.0, 0.0, 1.0)", value);
     case Packing::plain:
         break;
     }
@@ -92,6 +111,10 @@ std::string glsl_decode_call(Signal signal, const Codec& codec, std::string_view
                            codec.format == Format::rg8 ? "255.0" : "65535.0");
     case Packing::signed_10:
         return fmt::format("passgraph_signed_10_decode({}.rgb)", texel);
+    case Packing::sphere_map:
+        return fmt::format("passgraph_sphere_map_decode({}.rg)", texel);
+    case Packing::linear:
+        return fmt::format("passgraph_depth_of({}.r)", texel);
     case Packing::plain:
         break;
     }

@@ -14,7 +14,7 @@ void read_outputs(const Json& outputs, PassDeclaration& pass, Errors& errors);
 void read_params(const Json& params, PassDeclaration& pass, Errors& errors);
 /// "choices" or "ladders": static selections by name.
 void read_selections(const Json& selections, Selection::Kind kind, PassDeclaration& pass, Errors& errors);
-/// "layouts" of a geometry pass: a codec per output; adds the selection "layout".
+/// "layouts" of a geometry pass: targets, and places or a derivation per output; adds the selection "layout".
 void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors);
 
 /// Reports a name that GLSL or generated code keeps for itself (reserved_name).

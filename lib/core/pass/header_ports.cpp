@@ -1,4 +1,4 @@
-// Reads the inputs, outputs and layouts of a pass header.
+// Reads the inputs and outputs of a pass header.
 #include <array>
 
 #include <fmt/format.h>
@@ -80,7 +80,8 @@ InputPort read_input(const Json::Member& member, Errors& errors)
         fields, "wrap",
         {{{"clamp", AddressMode::clamp}, {"mirror", AddressMode::mirror}, {"repeat", AddressMode::repeat}}}, port.wrap,
         errors);
-    read_word<Over, 2>(fields, "over", {{{"image", Over::image}, {"sphere", Over::sphere}}}, port.over, errors);
+    read_word<Over, 3>(fields, "over", {{{"image", Over::image}, {"sphere", Over::sphere}, {"table", Over::table}}},
+                       port.over, errors);
     port.has_levels = fields.boolean("levels", false);
     port.is_optional = fields.boolean("optional", false);
     if (const Json* value = fields.find("default")) {
@@ -173,43 +174,6 @@ void read_outputs(const Json& outputs, PassDeclaration& pass, Errors& errors)
                  "one pass draws one extent: make two passes", port.where});
         pass.outputs.push_back(std::move(port));
     }
-}
-
-void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors)
-{
-    Selection selection;
-    selection.name = "layout";
-    selection.kind = Selection::Kind::layout;
-    selection.where = layouts.where;
-    for (const Json::Member& member : layouts.members) {
-        Layout layout;
-        layout.name = member.key;
-        if (!member.value.is(Json::Kind::object))
-            report_wrong_type(member.value, fmt::format("layout `{}`", member.key), "an object", errors);
-        for (const Json::Member& place : member.value.members) {
-            const int output = pass.find_output(place.key);
-            const Signal signal = output < 0 ? Signal::color : pass.outputs[static_cast<size_t>(output)].signal;
-            if (output < 0) {
-                std::vector<std::string> names;
-                for (const OutputPort& port : pass.outputs)
-                    names.push_back(port.name);
-                errors.push_back({"unknown_output", fmt::format("there is no output `{}`", place.key),
-                                  suggest(place.key, names, "outputs"), place.where});
-            } else if (!place.value.is(Json::Kind::string)) {
-                report_wrong_type(place.value, fmt::format("layout `{}`: `{}`", member.key, place.key),
-                                  "a codec's name", errors);
-            } else if (!find_codec(signal, place.value.string)) {
-                errors.push_back({"unknown_codec",
-                                  fmt::format("no codec `{}` stores {}", place.value.string, info(signal).name),
-                                  suggest(place.value.string, codec_names(signal), "codecs"), place.value.where});
-            }
-            layout.codecs.emplace_back(place.key, place.value.string);
-        }
-        selection.items.push_back(layout.name);
-        pass.layouts.push_back(std::move(layout));
-    }
-    if (!selection.items.empty())
-        pass.selections.push_back(std::move(selection));
 }
 
 } // namespace passgraph::header

@@ -141,7 +141,7 @@ void check_namespace(const PassDeclaration& pass, Errors& errors)
         take(port.name, port.where);
         if (port.over == Over::sphere)
             take(port.name + "_top_lod", port.where);
-        if (port.over != Over::image)
+        if (port.over == Over::sphere || port.over == Over::scene)
             continue;
         take(port.name + "_texel", port.where);
         take(port.name + "_size", port.where);

@@ -44,6 +44,8 @@ std::string port_type(const InputPort& port)
 {
     if (port.over == Over::scene)
         return "SceneInput";
+    if (port.over == Over::table)
+        return port.is_optional ? "std::optional<AnyImage>" : "AnyImage";
     const std::string image = fmt::format("{}<{}>", port.over == Over::sphere ? "Cube" : "Image", tag_of(port.signal));
     return port.is_optional ? fmt::format("std::optional<{}>", image) : image;
 }
