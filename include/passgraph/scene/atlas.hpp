@@ -57,7 +57,8 @@ struct Atlas {
 ///          one material that wrap differently are fine while its uv stay in [0, 1]; the cell then clamps.
 /// Errors   atlas_full (the machine's): one material's texture, or all together, exceed `max_extent`, which is the
 ///          device's largest texture side; names the texture. texture_wraps_differ: wrap modes differ within a material
-///          whose uv leave [0, 1] by more than half a texel. Every such material is named.
+///          whose uv leave [0, 1] by more than half a texel. Every such material is named. Asserts a well-formed scene:
+///          every index inside its array, every texture of its extent; factors below 0 or NaN count as 0.
 /// Cost     O(texels), some 30 ns each; packing tries about 30 widths and keeps the smallest, most square result.
 ///          Deterministic: equal scenes give equal atlases, byte for byte.
 /// Source   own derivation; packing by stb_rect_pack (skyline, bottom left).

@@ -42,6 +42,7 @@ struct Material {
     int base_color_texture = -1;
     int metallic_roughness_texture = -1;
     int emissive_texture = -1;
+    int specular_texture = -1; ///< specular times its red; only a scene file's ready atlas has one
     bool is_double_sided = false;
 };
 
