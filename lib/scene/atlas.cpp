@@ -1,12 +1,14 @@
 // All materials of a scene in one texture.
 #include "passgraph/scene/atlas.hpp"
 
+#include <algorithm>
+
 #include "atlas_parts.hpp"
 
 namespace passgraph {
 namespace {
 
-/// Black and without emission everywhere, so that what lies between the cells is the same each time.
+/// Zeros, and the material's fourth channel, which no cell writes.
 Atlas blank(Extent extent, bool has_emission)
 {
     const size_t texels = static_cast<size_t>(extent.width) * static_cast<size_t>(extent.height);
@@ -14,6 +16,8 @@ Atlas blank(Extent extent, bool has_emission)
     atlas.extent = extent;
     atlas.albedo.resize(4 * texels);
     atlas.material.resize(4 * texels);
+    for (size_t i = 3; i < atlas.material.size(); i += 4)
+        atlas.material[i] = 255;
     if (has_emission)
         atlas.emissive.resize(4 * texels);
     return atlas;
@@ -21,7 +25,7 @@ Atlas blank(Extent extent, bool has_emission)
 
 bool emits(const atlas::Cell& cell)
 {
-    const auto& [red, green, blue, alpha] = cell.recipe.emissive;
+    const auto& [red, green, blue] = cell.recipe.emissive;
     return red.factor > 0.0f || green.factor > 0.0f || blue.factor > 0.0f;
 }
 

@@ -52,7 +52,7 @@ std::vector<int> first_alike(const std::vector<Texture>& textures)
 }
 
 /// A factor of 0 makes the texture behind it invisible, and one below 0 or NaN counts as 0.
-Channel channel(int texture, int component, float factor)
+Channel channel(int texture, size_t component, float factor)
 {
     if (!(factor > 0.0f))
         return {};
@@ -67,14 +67,13 @@ Recipe recipe_of(const Material& material, const std::vector<int>& first)
     const int metallic_roughness = alike(material.metallic_roughness_texture);
     const int emissive = alike(material.emissive_texture);
     Recipe recipe;
-    for (int c = 0; c < 4; ++c)
-        recipe.albedo[static_cast<size_t>(c)] = channel(color, c, material.base_color[c]);
-    for (int c = 0; c < 3; ++c)
-        recipe.emissive[static_cast<size_t>(c)] = channel(emissive, c, material.emissive[c]);
-    recipe.emissive[3] = channel(kNone, 3, 1.0f);
+    for (size_t c = 0; c < 4; ++c)
+        recipe.albedo[c] = channel(color, c, material.base_color[static_cast<int>(c)]);
+    for (size_t c = 0; c < 3; ++c)
+        recipe.emissive[c] = channel(emissive, c, material.emissive[static_cast<int>(c)]);
     recipe.material = {channel(alike(material.specular_texture), 0, material.specular),
                        channel(metallic_roughness, 1, material.roughness),
-                       channel(metallic_roughness, 2, material.metallic), channel(kNone, 3, 1.0f)};
+                       channel(metallic_roughness, 2, material.metallic)};
     return recipe;
 }
 
@@ -93,11 +92,15 @@ Extent largest(const Scene& scene, const Recipe& recipe)
 std::vector<int> textures_of(const Recipe& recipe)
 {
     std::vector<int> textures;
-    for (const auto* image : {&recipe.albedo, &recipe.material, &recipe.emissive})
-        for (const Channel& channel : *image)
+    const auto add = [&](const auto& image) {
+        for (const Channel& channel : image)
             if (channel.texture != kNone &&
                 std::find(textures.begin(), textures.end(), channel.texture) == textures.end())
                 textures.push_back(channel.texture);
+    };
+    add(recipe.albedo);
+    add(recipe.material);
+    add(recipe.emissive);
     return textures;
 }
 

@@ -95,18 +95,22 @@ int wrapped_index(int index, int count, Wrap wrap)
     return std::clamp(index, 0, count - 1); // a mirror stands at the border, so it shows the last texel too
 }
 
-Grid load(const Texture& texture, int component, float factor)
+float value_of(const Texture& texture, const Channel& channel, std::uint8_t code)
 {
-    const bool is_curved = texture.is_srgb && component != 3;
-    std::array<float, 256> value{};
-    for (size_t code = 0; code < value.size(); ++code)
-        value[code] = static_cast<float>((is_curved ? srgb_decode(static_cast<double>(code) / 255.0)
-                                                    : static_cast<double>(code) / 255.0) *
-                                         static_cast<double>(factor));
+    const double value = code / 255.0;
+    const bool is_curved = texture.is_srgb && channel.component != 3;
+    return static_cast<float>((is_curved ? srgb_decode(value) : value) * static_cast<double>(channel.factor));
+}
+
+Grid load(const Texture& texture, const Channel& channel)
+{
+    std::array<float, 256> values{};
+    for (size_t code = 0; code < values.size(); ++code)
+        values[code] = value_of(texture, channel, static_cast<std::uint8_t>(code));
     Grid grid{texture.extent, texture.wrap_u, texture.wrap_v, std::vector<float>(area(texture.extent))};
-    const std::uint8_t* code = texture.rgba.data() + component;
+    const std::uint8_t* code = texture.rgba.data() + channel.component;
     for (float& number : grid.values) {
-        number = value[*code];
+        number = values[*code];
         code += 4;
     }
     return grid;

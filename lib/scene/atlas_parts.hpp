@@ -16,17 +16,17 @@ inline constexpr int kGutter = 1; ///< texels on each side: what a linear fetch 
 /// Where one channel of a cell comes from: a channel of a texture, or 1 where there is none, times a factor.
 struct Channel {
     int texture = -1;
-    int component = 0;
+    size_t component = 0;
     float factor = 0.0f;
 
     friend auto operator<=>(const Channel&, const Channel&) = default;
 };
 
-/// The channels of the atlas's three images.
+/// The channels of the atlas's three images: RGBA; specular, roughness, metallic; RGB.
 struct Recipe {
     std::array<Channel, 4> albedo;
-    std::array<Channel, 4> material;
-    std::array<Channel, 4> emissive;
+    std::array<Channel, 3> material;
+    std::array<Channel, 3> emissive;
 
     friend auto operator<=>(const Recipe&, const Recipe&) = default;
 };
@@ -80,7 +80,9 @@ Result<Packing> pack(const Scene& scene, const std::vector<Cell>& cells, int max
 // atlas_grid.cpp: what is in them
 /// The texel before the first (-1) or behind the last (`count`), and those between, as indices of texels that exist.
 int wrapped_index(int index, int count, Wrap wrap);
-Grid load(const Texture& texture, int component, float factor);
+/// What a code of the channel's texture stands for, in linear light, times the factor.
+float value_of(const Texture& texture, const Channel& channel, std::uint8_t code);
+Grid load(const Texture& texture, const Channel& channel);
 Grid enlarged(Grid grid, Extent extent);
 Grid shrunk(const Grid& grid, Extent extent);
 

@@ -40,7 +40,7 @@ struct Atlas {
     Extent extent;
     std::vector<std::uint8_t> albedo;    ///< RGBA8: base color texture times factor
     std::vector<std::uint8_t> material;  ///< RGBA8: specular, roughness, metallic times their factors, then 255
-    std::vector<std::uint16_t> emissive; ///< RGBA halves, alpha 1; empty when nothing emits
+    std::vector<std::uint16_t> emissive; ///< RGBA halves, alpha 0; empty when nothing emits
     std::vector<AtlasCell> cells;        ///< by index of Scene::materials; equal materials share their rectangles
 };
 
