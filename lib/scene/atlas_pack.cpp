@@ -84,7 +84,7 @@ std::vector<int> widths_to_try(const Boxes& boxes, int limit)
     const double high = std::max(low, 1.7 * square);
     std::vector<int> widths;
     for (int i = 0; i < kWidths; ++i) {
-        const int width = rounded_up(static_cast<int>(std::ceil(low + (high - low) * i / (kWidths - 1))));
+        const int width = rounded_up(static_cast<int>(std::ceil(low * std::pow(high / low, i / (kWidths - 1.0)))));
         if (width < limit && (widths.empty() || width != widths.back()))
             widths.push_back(width);
     }

@@ -33,7 +33,7 @@ struct Texture {
 
 /// glTF's metallic-roughness material. Texture indices point into Scene::textures; -1 is "none" (white).
 struct Material {
-    std::string name;
+    std::string name{};
     glm::vec4 base_color{1.0f};
     float metallic = 1.0f;  ///< times the texture's blue
     float roughness = 1.0f; ///< times the texture's green
