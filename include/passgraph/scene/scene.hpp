@@ -33,7 +33,7 @@ struct Texture {
 
 /// glTF's metallic-roughness material. Texture indices point into Scene::textures; -1 is "none" (white).
 struct Material {
-    std::string name;
+    std::string name{};
     glm::vec4 base_color{1.0f};
     float metallic = 1.0f;  ///< times the texture's blue
     float roughness = 1.0f; ///< times the texture's green
@@ -42,6 +42,7 @@ struct Material {
     int base_color_texture = -1;
     int metallic_roughness_texture = -1;
     int emissive_texture = -1;
+    int specular_texture = -1; ///< specular times its red; only a scene file's ready atlas has one
     bool is_double_sided = false;
 };
 
