@@ -14,6 +14,15 @@ GLuint sky_texture(const DrawInputs& inputs, const ImportTexture& import)
     return inputs.scene != nullptr && inputs.scene->sky ? inputs.scene->sky.id() : inputs.black_cube;
 }
 
+/// The scene's atlas that an import stands for; its signal tells which.
+GLuint atlas_texture(const DrawInputs& inputs, const Plan::Import& import)
+{
+    const AtlasTextures& atlas = inputs.scene->atlas;
+    return import.signal == Signal::albedo     ? atlas.albedo.id()
+           : import.signal == Signal::material ? atlas.material.id()
+                                               : atlas.emissive.id();
+}
+
 void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& objects)
 {
     for (size_t i = 0; i < step.reads.size(); ++i) {
@@ -27,6 +36,11 @@ void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObje
             continue;
         }
         const ImportTexture& import = inputs.imports[read.index];
+        if (import.import.kind == Plan::Import::Kind::atlas) {
+            inputs.state.texture(unit, GL_TEXTURE_2D, atlas_texture(inputs, import.import));
+            inputs.state.sampler(unit, objects.samplers[i].plain);
+            continue;
+        }
         const bool is_sky = import.import.kind == Plan::Import::Kind::sky;
         const bool has_levels = import.has_levels || (is_sky && import.id == 0);
         inputs.state.texture(unit, import.target(), is_sky ? sky_texture(inputs, import) : import.id);
@@ -40,15 +54,16 @@ void bind_scene(const DrawInputs& inputs, const SceneUnits& units)
         inputs.state.texture(units.lights, GL_TEXTURE_BUFFER, inputs.scene->lights.texture.id());
 }
 
-void bind_material(const DrawInputs& inputs, const SceneUnits& units, const ElementDraw& draw)
+void bind_atlas(const DrawInputs& inputs, const SceneUnits& units)
 {
-    const std::array<int, 3> bound = {units.base_color, units.metallic_roughness, units.emissive};
-    for (size_t i = 0; i < bound.size(); ++i) {
-        if (bound[i] < 0)
+    const AtlasTextures& atlas = inputs.scene->atlas;
+    for (const auto& [unit, texture] : {std::pair{units.atlas_albedo, &atlas.albedo},
+                                        {units.atlas_material, &atlas.material},
+                                        {units.atlas_emissive, &atlas.emissive}}) {
+        if (unit < 0)
             continue;
-        const MaterialTexture& texture = inputs.scene->textures[static_cast<size_t>(draw.textures[i])];
-        inputs.state.texture(bound[i], GL_TEXTURE_2D, texture.texture.id());
-        inputs.state.sampler(bound[i], texture.sampler);
+        inputs.state.texture(unit, GL_TEXTURE_2D, texture->id());
+        inputs.state.sampler(unit, atlas.sampler);
     }
 }
 
@@ -64,14 +79,17 @@ void clear_targets(const DrawInputs& inputs, const Plan::Step& step)
 
 std::int64_t draw_elements(const DrawInputs& inputs, const Program& program)
 {
+    bind_atlas(inputs, program.scene);
     for (const ElementDraw& draw : inputs.scene->draws) {
         const MeshBuffers& mesh = inputs.scene->meshes[static_cast<size_t>(draw.mesh)];
-        bind_material(inputs, program.scene, draw);
         inputs.state.vertex_array(mesh.vertex_array.id());
         inputs.state.cull_back_faces(!draw.is_double_sided);
         inputs.state.mirrored_front_face(draw.is_mirrored);
         const size_t first_row = static_cast<size_t>(draw.element) * glsl::kElementRows;
         inputs.gl.Uniform4fv(program.element_location, glsl::kElementRows, &inputs.scene->element_rows[first_row].x);
+        const size_t first_level = static_cast<size_t>(draw.element) * glsl::kAtlasLevelCount;
+        inputs.gl.Uniform4fv(program.levels_location, glsl::kAtlasLevelCount,
+                             &inputs.scene->element_levels[first_level].x);
         inputs.gl.DrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
     }
     return static_cast<std::int64_t>(inputs.scene->draws.size());

@@ -157,7 +157,7 @@ Errors Imports::find_missing() const
 {
     Errors errors;
     for (const ImportTexture& texture : textures_)
-        if (texture.id == 0 && texture.import.kind != Plan::Import::Kind::sky)
+        if (texture.id == 0 && !texture.import.is_of_scene())
             errors.push_back({.code = "import_missing",
                               .message = fmt::format("nothing was imported as `{}`", texture.import.name),
                               .hint = texture.is_cube() ? "call import_cube before render"

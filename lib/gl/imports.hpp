@@ -18,7 +18,7 @@ struct ImportTexture {
     GLuint id = 0;
     TextureObject owned{}; ///< empty for a host's own texture
 
-    bool is_cube() const { return import.kind != Plan::Import::Kind::picture; }
+    bool is_cube() const { return import.kind == Plan::Import::Kind::cube || import.kind == Plan::Import::Kind::sky; }
     GLenum target() const { return is_cube() ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
 };
 

@@ -116,9 +116,9 @@ Result<Program> create_program(Driver& driver, State& state, const Plan::Step& s
     for (const Plan::Read& read : step.reads)
         program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str()));
     program.scene.lights = assign_unit(gl, program, glsl::kLightsBuffer);
-    program.scene.base_color = assign_unit(gl, program, glsl::kBaseColorTexture);
-    program.scene.metallic_roughness = assign_unit(gl, program, glsl::kMetallicRoughnessTexture);
-    program.scene.emissive = assign_unit(gl, program, glsl::kEmissiveTexture);
+    program.scene.atlas_albedo = assign_unit(gl, program, glsl::kAtlasAlbedo);
+    program.scene.atlas_material = assign_unit(gl, program, glsl::kAtlasMaterial);
+    program.scene.atlas_emissive = assign_unit(gl, program, glsl::kAtlasEmissive);
     if (program.units > driver.limits.texture_units)
         return fail({.code = "texture_units_exceeded",
                      .message = fmt::format("step `{}` reads {} textures, the device has {} units", step.name,
@@ -128,6 +128,7 @@ Result<Program> create_program(Driver& driver, State& state, const Plan::Step& s
     bind_block(gl, id, glsl::kCameraBlock, kCameraBinding);
     bind_block(gl, id, glsl::kFrameBlock, kFrameBinding);
     program.element_location = gl.GetUniformLocation(id, glsl::kElement);
+    program.levels_location = gl.GetUniformLocation(id, glsl::kAtlasLevels);
     for (const Plan::Uniform& uniform : step.uniforms)
         program.uniforms.push_back({.location = gl.GetUniformLocation(id, uniform.name.c_str()),
                                     .type = uniform.type,

@@ -18,12 +18,12 @@ struct LiveUniform {
     bool is_changed = true;
 };
 
-/// Units of the buffer and material textures; -1 when the program has no such sampler.
+/// Units of the buffer and atlas textures; -1 when the program has no such sampler.
 struct SceneUnits {
     int lights = -1;
-    int base_color = -1;
-    int metallic_roughness = -1;
-    int emissive = -1;
+    int atlas_albedo = -1;
+    int atlas_material = -1;
+    int atlas_emissive = -1;
 };
 
 struct Program {
@@ -32,6 +32,7 @@ struct Program {
     std::vector<LiveUniform> uniforms; ///< per uniform of the step
     SceneUnits scene;
     GLint element_location = -1;
+    GLint levels_location = -1;
     int units = 0; ///< in use, from 0
 };
 

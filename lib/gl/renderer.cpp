@@ -21,6 +21,13 @@ bool needs_scene(const Plan::Step& step)
     return step.kind == Plan::Step::Kind::geometry || step.host.lights || step.host.elements;
 }
 
+void copy_channel(const Picture& from, int channel, Picture& to, int into)
+{
+    for (int y = 0; y < from.extent.height; ++y)
+        for (int x = 0; x < from.extent.width; ++x)
+            to.at(x, y, into) = channel < from.channels ? from.at(x, y, channel) : channel == 3 ? 1.0f : 0.0f;
+}
+
 } // namespace
 
 class Renderer::Impl {
@@ -54,7 +61,7 @@ private:
     void update_camera(gl::Upload& upload, const Camera& camera);
     glsl::FrameBlock frame_block(const Frame& frame) const;
     Result<const Plan::Output*> find_output(std::string_view name) const;
-    GLuint texture_of(const Plan::Output& output) const;
+    GLuint texture_of(const Plan::Output& output, const Plan::Output::Place& place) const;
 
     RendererOptions options_;
     gl::Driver driver_; ///< before all objects, which are deleted through it
@@ -162,6 +169,11 @@ const Camera* Renderer::Impl::camera_of(const Frame& frame) const
 Errors Renderer::Impl::find_missing(const Frame& frame) const
 {
     Errors errors = imports_->find_missing();
+    for (const Plan::Import& import : objects_.plan.imports)
+        if (import.kind == Plan::Import::Kind::atlas && scene_ == nullptr)
+            errors.push_back({.code = "scene_missing",
+                              .message = fmt::format("`{}` is a scene's, and there is none", import.name),
+                              .hint = "call set_scene before render"});
     for (const Plan::Step& step : objects_.plan.steps) {
         if (needs_scene(step) && scene_ == nullptr)
             errors.push_back({.code = "scene_missing",
@@ -244,11 +256,11 @@ Result<const Plan::Output*> Renderer::Impl::find_output(std::string_view name) c
                  .hint = suggest(name, names, "outputs")});
 }
 
-GLuint Renderer::Impl::texture_of(const Plan::Output& output) const
+GLuint Renderer::Impl::texture_of(const Plan::Output& output, const Plan::Output::Place& place) const
 {
     if (output.source == Plan::Read::Source::slot)
-        return objects_.slots[static_cast<size_t>(output.index)].id();
-    return (*imports_)[output.index].id;
+        return objects_.slots[static_cast<size_t>(place.index)].id();
+    return (*imports_)[place.index].id;
 }
 
 Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
@@ -256,7 +268,7 @@ Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
     const Result<const Plan::Output*> output = find_output(name);
     if (!output)
         return tl::unexpected(output.error());
-    const GLuint id = texture_of(**output);
+    const GLuint id = texture_of(**output, (*output)->places.front());
     if (id == 0)
         return fail({.code = "import_missing",
                      .message = fmt::format("output `{}` is an import, and nothing was imported", name),
@@ -271,14 +283,21 @@ Result<Picture> Renderer::Impl::read(std::string_view name)
         return tl::unexpected(texture.error());
     const Plan::Output& output = **find_output(name);
     const bool is_slot = output.source == Plan::Read::Source::slot;
+    Call call(*this);
+    Picture codes(output.extent, 4);
+    int code = 0;
+    for (const Plan::Output::Place& place : output.places) {
+        const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(place.index)].format : Format::rgba32f;
+        const Result<Picture> raw = reader_->read(call.upload, texture_of(output, place), format, output.extent);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        for (const char channel : place.channels)
+            copy_channel(*raw, static_cast<int>(std::string_view("rgba").find(channel)), codes, code++);
+    }
     // An import holds values as they are.
     const Codec codec = is_slot ? output.codec : Codec{"rgba32f", Format::rgba32f, Packing::plain};
-    const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(output.index)].format : Format::rgba32f;
-    Call call(*this);
-    const Result<Picture> raw = reader_->read(call.upload, texture->id, format, output.extent);
-    if (!raw)
-        return tl::unexpected(raw.error());
-    return decode_texels(*raw, output.signal, codec);
+    const DepthRange range = camera_ ? DepthRange{camera_->near_plane, camera_->far_plane} : DepthRange{};
+    return decode_texels(codes, output.signal, codec, range);
 }
 
 Renderer::Counters Renderer::Impl::counters() const

@@ -44,38 +44,23 @@ MeshBuffers create_mesh(Upload& upload, const Mesh& mesh)
     return buffers;
 }
 
-AddressMode address_mode(Wrap wrap)
+AtlasTextures create_atlas(Upload& upload, Samplers& samplers, const Atlas& atlas)
 {
-    switch (wrap) {
-    case Wrap::repeat: return AddressMode::repeat;
-    case Wrap::mirror: return AddressMode::mirror;
-    case Wrap::clamp: return AddressMode::clamp;
-    }
-    return AddressMode::repeat;
-}
-
-std::vector<MaterialTexture> create_textures(Upload& upload, Samplers& samplers, const Scene& scene)
-{
-    std::vector<MaterialTexture> textures;
-    for (const Texture& texture : scene.textures) {
-        upload.watch.enter(fmt::format("texture `{}`", texture.name));
-        textures.push_back(
-            {.texture = create_material_texture(upload, texture.extent, texture.rgba.data(), texture.is_srgb),
-             .sampler =
-                 samplers.get(Filter::linear, address_mode(texture.wrap_u), address_mode(texture.wrap_v), true)});
-        upload.watch.check();
-        upload.watch.leave();
-    }
-    constexpr std::uint8_t kWhite[] = {255, 255, 255, 255};
-    textures.push_back({.texture = create_material_texture(upload, {1, 1}, kWhite, false),
-                        .sampler = samplers.get(Filter::nearest, AddressMode::clamp, AddressMode::clamp, false)});
+    constexpr std::uint16_t kBlack[] = {0, 0, 0, 0};
+    upload.watch.enter("the texture atlas");
+    AtlasTextures textures{
+        .albedo = create_filled(upload, Format::srgb8_a8, atlas.extent, atlas.albedo.data()),
+        .material = create_filled(upload, Format::rgba8, atlas.extent, atlas.material.data()),
+        .emissive = atlas.emissive.empty() ? create_filled(upload, Format::rgba16f, {1, 1}, kBlack)
+                                           : create_filled(upload, Format::rgba16f, atlas.extent, atlas.emissive.data()),
+        .sampler = samplers.get(Filter::linear, AddressMode::clamp, AddressMode::clamp, false)};
+    upload.watch.check();
+    upload.watch.leave();
     return textures;
 }
 
 std::vector<ElementDraw> sorted_draws(const Scene& scene)
 {
-    const int white = static_cast<int>(scene.textures.size());
-    const auto texture = [&](int index) { return index == -1 ? white : index; };
     std::vector<ElementDraw> draws;
     for (size_t i = 0; i < scene.elements.size(); ++i) {
         const Element& element = scene.elements[i];
@@ -85,13 +70,11 @@ std::vector<ElementDraw> sorted_draws(const Scene& scene)
             continue;
         draws.push_back({.is_double_sided = material.is_double_sided,
                          .is_mirrored = is_mirrored(glm::dmat3(glm::dmat4(element.world_from_model))),
-                         .textures = {texture(material.base_color_texture),
-                                      texture(material.metallic_roughness_texture), texture(material.emissive_texture)},
                          .mesh = element.mesh,
                          .element = static_cast<int>(i)});
     }
     const auto key = [](const ElementDraw& draw) {
-        return std::tie(draw.is_double_sided, draw.textures, draw.mesh, draw.is_mirrored, draw.element);
+        return std::tie(draw.is_double_sided, draw.mesh, draw.is_mirrored, draw.element);
     };
     std::sort(draws.begin(), draws.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
     return draws;
@@ -139,7 +122,12 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
         upload.watch.check();
         upload.watch.leave();
     }
-    buffers.textures = create_textures(upload, samplers, scene);
+    Result<Atlas> atlas = make_atlas(scene, upload.driver.limits.texture_size);
+    if (!atlas)
+        return tl::unexpected(std::move(atlas.error()));
+    buffers.atlas = create_atlas(upload, samplers, *atlas);
+    buffers.element_levels = element_levels(scene, *atlas);
+    buffers.places = {.extent = atlas->extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(atlas->cells)};
     buffers.draws = sorted_draws(scene);
     buffers.lights = create_buffer_texture(upload, scene.lights.size() * glsl::kLightTexels);
     if (Errors errors = upload.watch.take(); !errors.empty())
@@ -149,7 +137,7 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
 
 void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view)
 {
-    buffers.element_rows = element_rows(scene, view);
+    buffers.element_rows = element_rows(scene, buffers.places, view);
     fill(upload.driver.gl, buffers.lights, light_texels(scene, view));
 }
 

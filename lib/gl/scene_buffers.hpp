@@ -1,10 +1,11 @@
-// A scene in OpenGL: meshes, material textures, sky, and the lights.
+// A scene in OpenGL: meshes, the atlas of their materials, sky, and the lights.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include <passgraph/scene/atlas.hpp>
 #include <passgraph/scene/scene.hpp>
 
 #include "gl/textures.hpp"
@@ -25,31 +26,34 @@ struct MeshBuffers {
     GLsizei index_count = 0;
 };
 
-struct MaterialTexture {
-    TextureObject texture;
+/// The atlas as textures of one level, in step, read linearly.
+struct AtlasTextures {
+    TextureObject albedo;
+    TextureObject material;
+    TextureObject emissive; ///< one black texel when nothing emits
     GLuint sampler = 0;
 };
 
-/// One element, ready to draw. Textures are indices into SceneBuffers::textures: base color, metallic-roughness,
-/// emissive.
+/// One element, ready to draw.
 struct ElementDraw {
     bool is_double_sided = false;
     bool is_mirrored = false;
-    std::array<int, 3> textures{};
     int mesh = 0;
     int element = 0;
 };
 
 struct SceneBuffers {
     std::vector<MeshBuffers> meshes;
-    std::vector<MaterialTexture> textures; ///< of the scene, then one white texel
+    AtlasTextures atlas;
+    Atlas places;                          ///< without texels: where each material stands in the atlas
     std::vector<ElementDraw> draws;        ///< neighbours share as much state as possible; the same order every time
     TextureObject sky;                     ///< empty when the scene has none
     std::vector<glm::vec4> element_rows;   ///< glsl::kElementRows per element, as the camera sees them
+    std::vector<glm::vec4> element_levels; ///< glsl::kAtlasLevelCount per element
     BufferTexture lights;
 };
 
-/// Errors   scene_malformed (an index that points outside), texture_too_large, scene_too_large (more elements or lights
+/// Errors   scene_malformed (an index that points outside), texture_too_large, those of make_atlas, scene_too_large (more elements or lights
 ///          than a buffer texture holds), cube_face_not_square, cube_face_size, gl_error, out_of_memory.
 Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene);
 

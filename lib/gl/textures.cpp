@@ -19,6 +19,7 @@ constexpr FormatRow kFormats[] = {
     {Format::srgb8_a8, GL_SRGB8_ALPHA8},
     {Format::rgb10_a2, GL_RGB10_A2},
     {Format::rg16, GL_RG16},
+    {Format::rgba16, GL_RGBA16},
     {Format::r16f, GL_R16F},
     {Format::rg16f, GL_RG16F},
     {Format::rgba16f, GL_RGBA16F},
@@ -130,15 +131,14 @@ TextureObject create_cube(Upload& upload, const std::array<Picture, 6>& faces)
     return texture;
 }
 
-TextureObject create_material_texture(Upload& upload, Extent extent, const std::uint8_t* rgba, bool is_srgb)
+TextureObject create_filled(Upload& upload, Format format, Extent extent, const void* texels)
 {
     TextureObject texture(upload.driver);
     upload.state.edit_texture(GL_TEXTURE_2D, texture.id());
     const Functions& gl = upload.driver.gl;
-    gl.TexImage2D(GL_TEXTURE_2D, 0, is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, extent.width, extent.height, 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, rgba);
-    set_reading(gl, GL_TEXTURE_2D, true);
-    gl.GenerateMipmap(GL_TEXTURE_2D);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format(format)), extent.width, extent.height, 0, GL_RGBA,
+                  format == Format::rgba16f ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, texels);
+    set_reading(gl, GL_TEXTURE_2D, false);
     return texture;
 }
 

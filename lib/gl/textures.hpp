@@ -36,8 +36,8 @@ void add_levels(Upload& upload, GLuint texture);
 /// A binary16 cube map with all levels. Shape: six square faces of 4 channels, row 0 first in OpenGL's orientation.
 TextureObject create_cube(Upload& upload, const std::array<Picture, 6>& faces);
 
-/// An 8-bit material texture with all levels; row 0 is v = 0.
-TextureObject create_material_texture(Upload& upload, Extent extent, const std::uint8_t* rgba, bool is_srgb);
+/// A texture of one level whose texels are uploaded as they lie: RGBA of bytes, or of halves for rgba16f.
+TextureObject create_filled(Upload& upload, Format format, Extent extent, const void* texels);
 
 /// The host's picture as values of a signal in RGBA: guarded; missing components 0, alpha 1, grey spread over RGB.
 ///

@@ -2,6 +2,7 @@
 #include "gl/view_space.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <passgraph/scene/camera_matrices.hpp>
@@ -28,6 +29,11 @@ void store(std::array<float, 16>& to, const glm::dmat4& from)
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
             to[static_cast<size_t>(c * 4 + r)] = static_cast<float>(from[c][r]);
+}
+
+const AtlasCell& cell_of(const Scene& scene, const Atlas& atlas, const Element& element)
+{
+    return atlas.cells[static_cast<size_t>(scene.meshes[static_cast<size_t>(element.mesh)].material)];
 }
 
 glm::vec4 row(const glm::dmat3& m, int r, double w)
@@ -88,7 +94,7 @@ glm::dmat3 normal_matrix(const glm::dmat3& matrix)
     return cofactor / (is_mirrored(matrix) ? -largest_cofactor : largest_cofactor);
 }
 
-std::vector<glm::vec4> element_rows(const Scene& scene, const View& view)
+std::vector<glm::vec4> element_rows(const Scene& scene, const Atlas& atlas, const View& view)
 {
     std::vector<glm::vec4> texels;
     texels.reserve(scene.elements.size() * glsl::kElementRows);
@@ -98,18 +104,33 @@ std::vector<glm::vec4> element_rows(const Scene& scene, const View& view)
         // The difference first: both places may be a million metres from the origin.
         const glm::dvec3 place = view.rotation * (glm::dvec3(world_from_model[3]) - view.position);
         const glm::dmat3 normals = normal_matrix(linear);
-        const Material& material =
-            scene.materials[static_cast<size_t>(scene.meshes[static_cast<size_t>(element.mesh)].material)];
+        const AtlasCell& cell = cell_of(scene, atlas, element);
         for (int r = 0; r < 3; ++r)
             texels.push_back(row(linear, r, place[r]));
         for (int r = 0; r < 3; ++r)
             texels.push_back(row(normals, r, r == 0 && is_mirrored(linear) ? 1.0 : 0.0));
-        texels.push_back(material.base_color);
-        texels.emplace_back(material.metallic, material.roughness, material.specular,
-                            material.is_double_sided ? 1.0f : 0.0f);
-        texels.emplace_back(material.emissive, 0.0f);
+        const AtlasRect whole = cell.levels.empty() ? AtlasRect{0, 0, 1, 1} : cell.levels.front();
+        texels.emplace_back(static_cast<float>(whole.width), static_cast<float>(whole.height),
+                            static_cast<float>(std::max<size_t>(cell.levels.size(), 1) - 1),
+                            static_cast<float>(static_cast<int>(cell.wrap_u) + 4 * static_cast<int>(cell.wrap_v)));
     }
     return texels;
+}
+
+std::vector<glm::vec4> element_levels(const Scene& scene, const Atlas& atlas)
+{
+    const glm::vec2 texel = 1.0f / glm::vec2(atlas.extent.width, atlas.extent.height);
+    std::vector<glm::vec4> levels;
+    levels.reserve(scene.elements.size() * glsl::kAtlasLevelCount);
+    for (const Element& element : scene.elements) {
+        const AtlasCell& cell = cell_of(scene, atlas, element);
+        assert(cell.levels.size() <= glsl::kAtlasLevelCount);
+        for (size_t i = 0; i < glsl::kAtlasLevelCount; ++i) {
+            const AtlasRect rect = cell.levels.empty() ? AtlasRect{} : cell.levels[std::min(i, cell.levels.size() - 1)];
+            levels.emplace_back(glm::vec2(rect.x, rect.y) * texel, glm::vec2(rect.width, rect.height) * texel);
+        }
+    }
+    return levels;
 }
 
 std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)

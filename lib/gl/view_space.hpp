@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <passgraph/core/glsl_interface.hpp>
+#include <passgraph/scene/atlas.hpp>
 #include <passgraph/scene/scene.hpp>
 
 namespace passgraph::gl {
@@ -36,7 +37,10 @@ glm::dmat3 normal_matrix(const glm::dmat3& matrix);
 bool is_mirrored(const glm::dmat3& matrix);
 
 /// Shape    glsl::kElementRows rows per element of the scene.
-std::vector<glm::vec4> element_rows(const Scene& scene, const View& view);
+std::vector<glm::vec4> element_rows(const Scene& scene, const Atlas& atlas, const View& view);
+
+/// Shape    glsl::kAtlasLevelCount rectangles per element, the last level repeated.
+std::vector<glm::vec4> element_levels(const Scene& scene, const Atlas& atlas);
 
 /// Shape    glsl::kLightTexels RGBA texels per light of the scene.
 std::vector<glm::vec4> light_texels(const Scene& scene, const View& view);

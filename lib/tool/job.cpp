@@ -101,9 +101,7 @@ Sources load_sources(const Graph& graph, const SourceOptions& options, Errors& e
 
 bool needs_scene(const Plan& plan)
 {
-    const bool reads_sky =
-        std::any_of(plan.imports.begin(), plan.imports.end(), [](const auto& import) { return import.kind == Plan::Import::Kind::sky; });
-    return reads_sky || std::any_of(plan.steps.begin(), plan.steps.end(), [](const Plan::Step& step) {
+    return std::any_of(plan.imports.begin(), plan.imports.end(), [](const auto& import) { return import.is_of_scene(); }) || std::any_of(plan.steps.begin(), plan.steps.end(), [](const Plan::Step& step) {
                return step.kind == Plan::Step::Kind::geometry || step.host.camera || step.host.lights || step.host.elements;
            });
 }
@@ -115,7 +113,7 @@ void find_missing(const Job& job, const SourceOptions& options, Errors& errors)
         return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.name == name; });
     };
     for (const Plan::Import& import : job.plan.imports)
-        if (import.kind != Plan::Import::Kind::sky && !is_given(import.name))
+        if (!import.is_of_scene() && !is_given(import.name))
             errors.push_back({.code = "input_missing",
                               .message = fmt::format("the input `{}` ({}) is not given", import.name, info(import.signal).name),
                               .hint = fmt::format("add --in {}={}; {}", import.name,

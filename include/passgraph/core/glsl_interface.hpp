@@ -16,9 +16,11 @@ inline constexpr const char* kFrameBlock = "passgraph_frame_block";
 inline constexpr const char* kLightsBuffer = "passgraph_lights"; ///< samplerBuffer, kLightTexels RGBA32F each
 inline constexpr const char* kElement =
     "passgraph_element"; ///< vec4[kElementRows] uniform, per draw of a geometry step
-inline constexpr const char* kBaseColorTexture = "passgraph_base_color_texture";
-inline constexpr const char* kMetallicRoughnessTexture = "passgraph_metallic_roughness_texture";
-inline constexpr const char* kEmissiveTexture = "passgraph_emissive_texture";
+inline constexpr const char* kAtlasLevels =
+    "passgraph_atlas_levels"; ///< vec4[kAtlasLevelCount] uniform, per draw of a geometry step
+inline constexpr const char* kAtlasAlbedo = "passgraph_atlas_albedo";
+inline constexpr const char* kAtlasMaterial = "passgraph_atlas_material";
+inline constexpr const char* kAtlasEmissive = "passgraph_atlas_emissive";
 
 // Vertex attributes of geometry steps: vec3 position, vec3 normal, vec2 uv.
 inline constexpr unsigned kPositionLocation = 0;
@@ -56,10 +58,12 @@ inline constexpr int kLightTexels = 3;
 ///   3 4 5  rows of its normal matrix in xyz: the cofactors (adjugate's transpose) of view_from_model's 3x3 times the
 ///          sign of its determinant, largest element 1 in size, so singular and mirrored transforms stay finite and
 ///          normals point outwards, of any length; w of row 3 is 1 when the transform mirrors, of 4 and 5 it is 0
-///   6      base color
-///   7      (metallic, roughness, specular, 1 when double-sided)
-///   8      (emissive, 0)
-inline constexpr int kElementRows = 9;
+///   6      its cell of the atlas: texels of level 0 in x and y, the last level, wrap_u + 4 wrap_v (0 repeat, 1 mirror,
+///          2 clamp)
+inline constexpr int kElementRows = 7;
+
+/// Rectangles (x, y, width, height in uv) of an element's levels in the atlas: as many as a texture of 16384 has.
+inline constexpr int kAtlasLevelCount = 15;
 
 /// GLSL of the accessors for what a step reads: view_ray(uv), light(i), random(pixel, n), ...
 std::string accessors(const Reads& reads, PassKind kind);

@@ -28,6 +28,9 @@ struct Plan {
         std::string name;
         Signal signal = Signal::radiance;
         Extent extent;
+
+        /// The scene's own stands in where the host supplies none.
+        bool is_of_scene() const { return kind == Kind::sky || kind == Kind::atlas; }
     };
 
     /// A texture bound to a sampler of the step's program.

@@ -2,6 +2,8 @@
 #include <cassert>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "passgraph/core/glsl_interface.hpp"
 
 namespace passgraph::glsl {
@@ -80,10 +82,11 @@ Light light(int i)
 }
 )";
 
-constexpr const char* kElements = R"(uniform vec4 passgraph_element[9];
-uniform sampler2D passgraph_base_color_texture;
-uniform sampler2D passgraph_metallic_roughness_texture;
-uniform sampler2D passgraph_emissive_texture;
+constexpr const char* kElements = R"(uniform vec4 passgraph_element[7];
+uniform vec4 passgraph_atlas_levels[15];
+uniform sampler2D passgraph_atlas_albedo;
+uniform sampler2D passgraph_atlas_material;
+uniform sampler2D passgraph_atlas_emissive;
 vec3 element_to_view(vec3 position)
 {
     vec4 place = vec4(position, 1.0);
@@ -94,13 +97,13 @@ vec3 element_normal_to_view(vec3 normal)
     return vec3(dot(passgraph_element[3].xyz, normal), dot(passgraph_element[4].xyz, normal),
                 dot(passgraph_element[5].xyz, normal));
 }
-vec4 element_base_color(vec2 uv) { return passgraph_element[6] * texture(passgraph_base_color_texture, uv); }
-vec2 element_roughness_metallic(vec2 uv)
-{
-    return passgraph_element[7].yx * texture(passgraph_metallic_roughness_texture, uv).gb;
-}
-float element_specular() { return passgraph_element[7].z; }
-vec3 element_emissive(vec2 uv) { return passgraph_element[8].rgb * texture(passgraph_emissive_texture, uv).rgb; }
+vec2 element_texels() { return passgraph_element[6].xy; }
+int element_last_level() { return int(passgraph_element[6].z); }
+ivec2 element_wrap() { return ivec2(int(passgraph_element[6].w) & 3, int(passgraph_element[6].w) >> 2); }
+vec4 element_level(int i) { return passgraph_atlas_levels[i]; }
+vec3 element_albedo(vec2 place) { return texture(passgraph_atlas_albedo, place).rgb; }
+vec3 element_material(vec2 place) { return texture(passgraph_atlas_material, place).rgb; }
+vec3 element_emissive(vec2 place) { return texture(passgraph_atlas_emissive, place).rgb; }
 )";
 
 std::string common_part(const Reads& reads)
@@ -136,6 +139,10 @@ std::string vertex_accessors(const Reads& reads)
     std::string text = common_part(reads);
     if (reads.elements)
         text += "bool element_is_back_facing() { return false; }\n";
+    // A pass's functions for the surface stand in this stage too, uncalled; there are no derivatives here.
+    for (const char* type : {"float", "vec2", "vec3"})
+        for (const char* derivative : {"dFdx", "dFdy"})
+            text += fmt::format("{0} {1}({0} x) {{ return {0}(0.0); }}\n", type, derivative);
     return text;
 }
 
@@ -146,8 +153,8 @@ const std::vector<std::string>& accessor_names(const std::string& read)
         {"frame", {"frame_time", "frame_delta", "frame_index", "frame_is_cut", "random"}},
         {"lights", {"light_count", "light", "Light", "light_directional", "light_point"}},
         {"elements",
-         {"element_to_view", "element_normal_to_view", "element_base_color", "element_roughness_metallic",
-          "element_specular", "element_emissive", "element_is_back_facing"}},
+         {"element_to_view", "element_normal_to_view", "element_texels", "element_last_level", "element_wrap",
+          "element_level", "element_albedo", "element_material", "element_emissive", "element_is_back_facing"}},
     };
     const auto found = names.find(read);
     assert(found != names.end());
