@@ -10,7 +10,7 @@ namespace {
 using Object = nlohmann::ordered_json;
 
 constexpr std::string_view kWraps[] = {"clamp", "mirror", "repeat"};
-constexpr std::string_view kOvers[] = {"image", "sphere", "scene"};
+constexpr std::string_view kOvers[] = {"image", "sphere", "table", "scene"};
 
 Object numbers_json(const Value& value, int components)
 {

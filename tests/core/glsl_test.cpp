@@ -1,6 +1,7 @@
 // The GLSL of steps: what is called, what is fetched, how names are kept apart.
 #include <algorithm>
 
+#include <passgraph/core/glsl_interface.hpp>
 #include <passgraph/core/graph_file.hpp>
 #include <passgraph/core/pass_header.hpp>
 
@@ -227,7 +228,7 @@ TEST_CASE("guards, codecs and their GLSL calls name the signal's rule", "[core][
             CHECK_THAT(row.components == 4 ? "vec4" : encoded, Contains("vec4"));
             for (const std::string& call : {encoded, decoded})
                 if (const size_t start = call.find("passgraph_"); start != std::string::npos)
-                    CHECK_THAT(std::string(glsl_codec_functions()), Contains(" " + call.substr(start, call.find('(', start) - start) + "("));
+                    CHECK_THAT(std::string(glsl_codec_functions()) + glsl::accessors({.camera = true}, PassKind::image), Contains(" " + call.substr(start, call.find('(', start) - start) + "("));
         }
         const std::string guard = glsl_guard_call(row.signal, "v");
         CHECK_THAT(std::string(glsl_codec_functions()), Contains(std::string(glsl_type(row.components)) + " " + guard.substr(0, guard.find('(')) + "("));

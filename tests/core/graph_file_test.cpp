@@ -136,7 +136,7 @@ TEST_CASE("images exist, and a pass of several outputs must say which", "[core][
         {graph_of(R"("shown": { "pass": "tone_map", "inputs": { "image": @"photo.color" } })"), {"unknown_image"}, "`photo` has no output `color`"},
         {graph_of(kShown, "\"outputs\": { \"color\": @\"shwon\" }"), {"unknown_image"}, "did you mean `shown`?"},
         {graph_of(kShown, "\"outputs\": { \"color\": @\"shown.colour\" }"), {"unknown_image"}, "did you mean `shown.color`?"},
-        {scene_graph(R"("shown": { "pass": "tone_map", "inputs": { "image": @"surface" } })"), {"unknown_image"}, "`surface` has 6 outputs"},
+        {scene_graph(R"("shown": { "pass": "tone_map", "inputs": { "image": @"surface" } })"), {"unknown_image"}, "`surface` has 7 outputs"},
         {scene_graph(R"("shown": { "pass": "tone_map", "inputs": { "image": @"surface.emisive" } })"), {"unknown_image"}, "did you mean `surface.emissive`?"},
         {scene_graph(R"("shown": { "pass": "tone_map", "inputs": { "image": @"scene" } })"), {"over_mismatch"}, "got a scene from scene"},
         {scene_graph(R"("shown": { "pass": "tone_map", "inputs": { "image": @"scene.sky" } })"), {"over_mismatch"}, "got a cube map from scene.sky"},

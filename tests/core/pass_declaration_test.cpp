@@ -98,7 +98,9 @@ TEST_CASE("a geometry pass draws a scene and selects a layout", "[core][pass]")
     REQUIRE(pass.selections.size() == 1);
     CHECK(pass.selections[0].name == "layout");
     CHECK(pass.selections[0].items == std::vector<std::string>{"small", "large"});
-    CHECK(pass.layouts[1].codecs.size() == 2);
+    REQUIRE(pass.layouts[1].outputs.size() == 2);
+    CHECK(pass.layouts[1].targets[1].format == Format::depth24);
+    CHECK(to_text(pass.layouts[0], pass.layouts[0].outputs[0]) == "normal.rg : octahedral_rg8");
 }
 
 TEST_CASE("names at global scope are found, those inside bodies are not", "[core][pass]")

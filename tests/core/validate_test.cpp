@@ -229,7 +229,9 @@ TEST_CASE("only geometry has a depth buffer: a full-screen pass stores depth as 
     surface.inputs.push_back({"scene", drawn.scene().elements});
     surface.codecs.push_back({"depth", {}, "r32f", {}});
     drawn.output("depth", drawn.add("gbuffer", surface)["depth"]);
-    CHECK(codes_of(compile(drawn)) == "unknown_codec 0:0\n");
+    const Plan own = planned(drawn); // a color holds what is read, a depth buffer of its own what is tested against
+    CHECK(own.slots[static_cast<size_t>(own.steps.front().depth_slot)].format == Format::depth32f);
+    CHECK(own.slots[static_cast<size_t>(own.outputs.front().places.front().index)].format == Format::r32f);
 }
 
 TEST_CASE("mistakes made in C++ are kept and come back together", "[core][validate]")

@@ -259,7 +259,7 @@ Plan::Step& PlanBuilder::geometry(const std::string& name, const std::string& bo
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texture_uv;
-uniform vec4 passgraph_element[9];
+uniform vec4 passgraph_element[7];
 layout(std140) uniform passgraph_camera_block { mat4 clip_from_view; mat4 view_from_world; mat4 world_from_view; vec4 ray; vec4 range; };
 out vec3 view_position;
 out vec3 view_normal;
@@ -275,7 +275,13 @@ void main()
 }
 )";
     step.fragment = "#version 330 core\nin vec3 view_position;\nin vec3 view_normal;\nin vec2 uv;\n"
-                    "uniform vec4 passgraph_element[9];\n"
+                    "uniform vec4 passgraph_element[7];\n"
+                    "uniform vec4 passgraph_atlas_levels[15];\n"
+                    "uniform sampler2D passgraph_atlas_albedo;\nuniform sampler2D passgraph_atlas_material;\n"
+                    "uniform sampler2D passgraph_atlas_emissive;\n"
+                    "vec4 in_atlas(sampler2D atlas, vec2 inside)\n"
+                    "{ return texture(atlas, passgraph_atlas_levels[0].xy + inside * passgraph_atlas_levels[0].zw); }\n"
+                    "vec4 base_color() { return in_atlas(passgraph_atlas_albedo, vec2(0.5)); }\n"
                     "vec4 texel(int i) { return passgraph_element[i]; }\n"
                     "#line 1 0\n" +
                     body;
@@ -287,13 +293,13 @@ void PlanBuilder::output(const std::string& name, int slot, Signal signal, const
     const Codec* found = find_codec(signal, codec);
     REQUIRE(found != nullptr);
     const Plan::Slot& at = plan.slots[static_cast<size_t>(slot)];
-    plan.outputs.push_back({name, at.images[0], Plan::Read::Source::slot, slot, signal, *found, at.extent});
+    plan.outputs.push_back({name, at.images[0], Plan::Read::Source::slot, {{slot, "rgba"}}, signal, *found, at.extent});
 }
 
 void PlanBuilder::output_import(const std::string& name, int import)
 {
     const Plan::Import& at = plan.imports[static_cast<size_t>(import)];
-    plan.outputs.push_back({name, at.name, Plan::Read::Source::import, import, at.signal,
+    plan.outputs.push_back({name, at.name, Plan::Read::Source::import, {{import, "rgba"}}, at.signal,
                             Codec{"rgba32f", Format::rgba32f, Packing::plain}, at.extent});
 }
 

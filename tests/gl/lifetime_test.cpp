@@ -15,7 +15,7 @@ Plan full_plan(Extent extent, const std::string& gain = "1.0")
     const int color = builder.slot(Format::rgba16f, "surface.color");
     const int depth = builder.slot(Format::depth32f, "surface.depth");
     const int out = builder.slot(Format::rgba32f, "mix.color");
-    builder.geometry("surface", "layout(location = 0) out vec4 c;\nvoid main() { c = texel(6); }\n", {color}, depth);
+    builder.geometry("surface", "layout(location = 0) out vec4 c;\nvoid main() { c = base_color(); }\n", {color}, depth);
     builder.draw(
         "mix",
         "uniform sampler2D picture;\nuniform sampler2D surface;\nuniform samplerCube sky;\nuniform float gain;\n"

@@ -150,7 +150,7 @@ TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][de
     const auto plan = compile(sample_graph("deferred_demo/bloom.graph.json"));
     REQUIRE(plan);
     CHECK(plan->steps.size() == 7);
-    CHECK(plan->steps[1].name == "lit + view + bright");
+    CHECK(plan->steps[1].name == "surface.surface_from_atlas + surface.position_from_depth + lit + view + bright");
 }
 
 TEST_CASE("the photo stack brightens, glows and frames any picture", "[graphs][photo]")
