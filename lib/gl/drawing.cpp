@@ -102,8 +102,8 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
     const bool is_geometry = step.kind == Plan::Step::Kind::geometry;
     State& state = inputs.state;
     state.draw_framebuffer(objects.framebuffer.id());
-    state.viewport(step.extent);
-    state.use_program(objects.program.object.id());
+    state.viewport(inputs.only_warms_up ? Extent{1, 1} : step.extent);
+    state.use_program(objects.program.id());
     state.encodes_srgb(objects.has_srgb_target);
     state.depth(is_geometry);
     bind_reads(inputs, step, objects);

@@ -17,6 +17,7 @@ struct DrawInputs {
     const SceneBuffers* scene; ///< nullptr: no scene was set, and no step needs one
     GLuint empty_vertex_array;
     GLuint black_cube;
+    bool only_warms_up = false; ///< draws into one pixel: the driver compiles, and nothing is seen
 };
 
 /// Draws the step and returns how many draws that took.

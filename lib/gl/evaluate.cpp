@@ -103,7 +103,7 @@ Result<void> draw(gl::Upload& upload, gl::Program& program, GLuint table, GLuint
     state.depth(false);
     state.cull_back_faces(false);
     state.viewport(rows);
-    state.use_program(program.object.id());
+    state.use_program(program.id());
     state.vertex_array(no_vertices.id());
     if (const int unit = program.read_units.front(); unit >= 0) {
         state.texture(unit, GL_TEXTURE_2D, table);
@@ -153,7 +153,7 @@ Result<std::vector<std::vector<float>>> evaluate(const Evaluation& evaluation, G
     const gl::TextureObject target = gl::create_target(upload, Format::rgba32f, *rows);
     if (Result<void> drawn = draw(upload, *program, table.id(), nearest, target.id(), *rows); !drawn)
         return tl::unexpected(drawn.error());
-    const Result<Picture> values = reader.read(upload, target.id(), Format::rgba32f, *rows);
+    const Result<Picture> values = reader.read(upload, target.id(), Format::rgba32f, {0, 0, *rows});
     if (!values)
         return tl::unexpected(values.error());
 

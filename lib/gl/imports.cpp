@@ -68,6 +68,16 @@ void Imports::adopt(Upload& upload, Imports&& old)
     }
 }
 
+void Imports::borrow(const Imports& other)
+{
+    for (ImportTexture& texture : textures_)
+        for (const ImportTexture& candidate : other.textures_)
+            if (candidate.id != 0 && fits(texture.import, candidate.import)) {
+                texture.id = candidate.id;
+                texture.has_levels = candidate.has_levels;
+            }
+}
+
 Result<ImportTexture*> Imports::find(std::string_view name)
 {
     std::vector<std::string> names;

@@ -28,6 +28,8 @@ public:
 
     /// Takes over what an older plan was given, where name, kind, signal and extent are the same.
     void adopt(Upload& upload, Imports&& old);
+    /// Reads the same textures as another plan, which goes on owning them.
+    void borrow(const Imports& other);
 
     /// Errors   unknown_import, import_extent, wrong_import_kind, gl_error, out_of_memory.
     Result<void> set_picture(Upload& upload, std::string_view name, const Picture& picture);

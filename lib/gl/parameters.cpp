@@ -55,9 +55,7 @@ Result<void> set_parameter(PlanObjects& objects, std::string_view place, const V
                 continue;
             if (Errors errors = find_value_errors(uniforms[u], value); !errors.empty())
                 return tl::unexpected(std::move(errors));
-            LiveUniform& live = objects.steps[s].program.uniforms[u];
-            live.is_changed = live.is_changed || !(live.value == value);
-            live.value = value;
+            objects.steps[s].program.uniforms[u].value = value;
             is_known = true;
         }
     }

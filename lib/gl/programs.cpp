@@ -94,7 +94,7 @@ void bind_block(const Functions& gl, GLuint program, const char* name, int bindi
 /// one unit make every draw an error.
 int assign_unit(const Functions& gl, Program& program, const char* sampler)
 {
-    const GLint location = gl.GetUniformLocation(program.object.id(), sampler);
+    const GLint location = gl.GetUniformLocation(program.id(), sampler);
     if (location < 0)
         return -1;
     gl.Uniform1i(location, program.units);
@@ -103,15 +103,31 @@ int assign_unit(const Functions& gl, Program& program, const char* sampler)
 
 } // namespace
 
-Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step)
+Result<std::shared_ptr<LinkedProgram>> link_program(Driver& driver, const Plan::Step& step)
 {
     Result<ProgramObject> object = link(driver, step);
     if (!object)
         return tl::unexpected(object.error());
+    auto linked = std::make_shared<LinkedProgram>();
+    linked->object = std::move(*object);
+    linked->sent.resize(step.uniforms.size());
+    return linked;
+}
+
+Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step)
+{
+    Result<std::shared_ptr<LinkedProgram>> linked = link_program(driver, step);
+    if (!linked)
+        return tl::unexpected(linked.error());
+    return wire_program(driver, state, step, std::move(*linked));
+}
+
+Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& step, std::shared_ptr<LinkedProgram> linked)
+{
     const Functions& gl = driver.gl;
     Program program;
-    program.object = std::move(*object);
-    const GLuint id = program.object.id();
+    program.linked = std::move(linked);
+    const GLuint id = program.id();
     state.use_program(id);
     for (const Plan::Read& read : step.reads)
         program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str()));
@@ -138,9 +154,12 @@ Result<Program> create_program(Driver& driver, State& state, const Plan::Step& s
 
 void send_uniforms(const Functions& gl, Program& program)
 {
-    for (LiveUniform& uniform : program.uniforms) {
-        if (!std::exchange(uniform.is_changed, false))
+    for (size_t u = 0; u < program.uniforms.size(); ++u) {
+        const LiveUniform& uniform = program.uniforms[u];
+        std::optional<Value>& sent = program.linked->sent[u];
+        if (sent == uniform.value)
             continue;
+        sent = uniform.value;
         std::array<GLfloat, 4> v{};
         for (size_t i = 0; i < v.size(); ++i)
             v[i] = static_cast<GLfloat>(uniform.value.v[i]);

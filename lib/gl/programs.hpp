@@ -1,21 +1,22 @@
 // The program of one step: compiled, linked, with every location looked up and every sampler given its unit.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <passgraph/core/plan.hpp>
 
+#include "gl/program_pool.hpp"
 #include "gl/state.hpp"
 
 namespace passgraph::gl {
 
-/// A live parameter's place in a program. Its value goes to the driver with the next draw when `is_changed`.
+/// A live parameter's place in a program. Its value goes to the driver with the next draw when another was sent last.
 struct LiveUniform {
     GLint location = -1;
     ParamType type = ParamType::float_;
     Value value;
-    bool is_changed = true;
 };
 
 /// Units of the buffer and atlas textures; -1 when the program has no such sampler.
@@ -27,16 +28,26 @@ struct SceneUnits {
 };
 
 struct Program {
-    ProgramObject object;
+    std::shared_ptr<LinkedProgram> linked;
     std::vector<int> read_units;       ///< per read of the step; -1 when the code never fetches it
     std::vector<LiveUniform> uniforms; ///< per uniform of the step
     SceneUnits scene;
     GLint element_location = -1;
     GLint levels_location = -1;
     int units = 0; ///< in use, from 0
+
+    GLuint id() const { return linked ? linked->object.id() : 0; }
 };
 
-/// Errors   shader_failed (with the source file's own line), texture_units_exceeded.
+/// Compiles and links the step's program.
+/// Errors   shader_failed (with the source file's own line).
+Result<std::shared_ptr<LinkedProgram>> link_program(Driver& driver, const Plan::Step& step);
+
+/// Looks up what a linked program of this step needs for its draws.
+/// Errors   texture_units_exceeded.
+Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& step, std::shared_ptr<LinkedProgram> linked);
+
+/// Both.
 Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step);
 
 /// Sends changed values to the program, which is the current one.

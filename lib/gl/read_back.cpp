@@ -26,14 +26,14 @@ Reader::Reader(Upload& upload) : framebuffer_(upload.driver)
     upload.state.edit_texture(GL_TEXTURE_2D, probe.id());
     constexpr std::uint8_t kTexel[] = {128, 128, 128, 255};
     upload.driver.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexel);
-    const Result<Picture> texel = read_raw(upload, probe.id(), Format::srgb8_a8, {1, 1});
+    const Result<Picture> texel = read_raw(upload, probe.id(), Format::srgb8_a8, {0, 0, {1, 1}});
     hands_out_codes_ = !texel || texel->texels[0] > 0.35f;
     upload.state.edit_texture(GL_TEXTURE_2D, 0); // the probe's name may be given to another texture
 }
 
-Result<Picture> Reader::read(Upload& upload, GLuint texture, Format format, Extent extent) const
+Result<Picture> Reader::read(Upload& upload, GLuint texture, Format format, const Rectangle& window) const
 {
-    Result<Picture> raw = read_raw(upload, texture, format, extent);
+    Result<Picture> raw = read_raw(upload, texture, format, window);
     if (raw && format == Format::srgb8_a8 && hands_out_codes_)
         for (size_t i = 0; i < raw->texels.size(); ++i)
             if (i % 4 != 3) // alpha is stored as it is
@@ -41,7 +41,7 @@ Result<Picture> Reader::read(Upload& upload, GLuint texture, Format format, Exte
     return raw;
 }
 
-Result<Picture> Reader::read_raw(Upload& upload, GLuint texture, Format format, Extent extent) const
+Result<Picture> Reader::read_raw(Upload& upload, GLuint texture, Format format, const Rectangle& window) const
 {
     const Functions& gl = upload.driver.gl;
     const bool reads_depth = is_depth(format);
@@ -49,10 +49,10 @@ Result<Picture> Reader::read_raw(Upload& upload, GLuint texture, Format format, 
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
     gl.FramebufferTexture2D(GL_READ_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
     gl.ReadBuffer(reads_depth ? GL_NONE : GL_COLOR_ATTACHMENT0);
-    Picture picture(extent, reads_depth ? 1 : 4);
+    Picture picture(window.extent, reads_depth ? 1 : 4);
     const bool is_complete = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     if (is_complete)
-        gl.ReadPixels(0, 0, extent.width, extent.height, reads_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+        gl.ReadPixels(window.x, window.y, window.extent.width, window.extent.height, reads_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
                       picture.texels.data());
     gl.FramebufferTexture2D(GL_READ_FRAMEBUFFER, attachment, GL_TEXTURE_2D, 0, 0);
     if (!is_complete)

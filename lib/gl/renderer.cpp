@@ -1,15 +1,9 @@
 // The renderer: one context's objects, and the order in which a frame uses them.
-#include <passgraph/gl/renderer.hpp>
-
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "gl/drawing.hpp"
-#include "gl/parameters.hpp"
-#include "gl/read_back.hpp"
-#include "gl/state_guard.hpp"
+#include "gl/renderer_impl.hpp"
 
 namespace passgraph {
 namespace {
@@ -30,112 +24,15 @@ void copy_channel(const Picture& from, int channel, Picture& to, int into)
 
 } // namespace
 
-class Renderer::Impl {
-public:
-    Impl(const RendererOptions& options, gl::Driver&& driver)
-        : options_(options), driver_(std::move(driver)), state_(driver_), samplers_(driver_)
-    {
-    }
-    ~Impl();
-
-    Result<void> build(Plan plan);
-    Result<void> set_scene(const Scene& scene);
-    Result<void> render(const Frame& frame);
-    Result<Picture> read(std::string_view output);
-    Result<HostTexture> texture(std::string_view output) const;
-    std::vector<StepTime> step_times() const { return objects_.timing.read(driver_.gl, objects_.plan); }
-    template <class Take> Result<void> import(const Take& take);
-
-    gl::PlanObjects& objects() { return objects_; }
-    const Plan& plan() const { return objects_.plan; }
-    gl::Imports& imports() { return *imports_; }
-    const std::string& device_name() const { return driver_.device_name; }
-    Counters counters() const;
-
-private:
-    struct Call;
-
-    void create_shared_objects(gl::Upload& upload);
-    Errors find_missing(const Frame& frame) const;
-    const Camera* camera_of(const Frame& frame) const;
-    void update_camera(gl::Upload& upload, const Camera& camera);
-    glsl::FrameBlock frame_block(const Frame& frame) const;
-    Result<const Plan::Output*> find_output(std::string_view name) const;
-    GLuint texture_of(const Plan::Output& output, const Plan::Output::Place& place) const;
-
-    RendererOptions options_;
-    gl::Driver driver_; ///< before all objects, which are deleted through it
-    gl::State state_;
-    gl::Samplers samplers_;
-    gl::PlanObjects objects_;
-    std::optional<gl::Imports> imports_;
-    std::optional<gl::SceneBuffers> scene_buffers_;
-    const Scene* scene_ = nullptr;
-    std::optional<gl::FrameBlocks> blocks_;
-    std::optional<gl::Reader> reader_;
-    gl::VertexArrayObject empty_vertex_array_;
-    gl::TextureObject black_cube_;
-    std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
-    bool is_first_frame_ = true;
-    bool checks_each_step_ = true;
-    std::int64_t draws_ = 0;
-};
-
-/// What each call that touches OpenGL starts and ends with.
-struct Renderer::Impl::Call {
-    std::optional<gl::StateGuard> guard; ///< first, so that it ends last
-    gl::ErrorWatch watch;
-    gl::Upload upload;
-
-    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_), upload{impl.driver_, impl.state_, watch}
-    {
-        impl.state_.reset();
-    }
-
-    static std::optional<gl::StateGuard> make_guard(const Impl& impl)
-    {
-        if (!impl.options_.restores_state)
-            return std::nullopt;
-        return std::optional<gl::StateGuard>(std::in_place, impl.driver_, impl.objects_.units);
-    }
-};
-
 Renderer::Impl::~Impl()
 {
     // A current program would outlive its deletion.
     GLint current = 0;
     driver_.gl.GetIntegerv(GL_CURRENT_PROGRAM, &current);
-    for (const gl::StepObjects& step : objects_.steps)
-        if (step.program.object.id() == static_cast<GLuint>(current))
-            driver_.gl.UseProgram(0);
-}
-
-void Renderer::Impl::create_shared_objects(gl::Upload& upload)
-{
-    blocks_.emplace(driver_);
-    reader_.emplace(upload);
-    empty_vertex_array_ = gl::VertexArrayObject(driver_);
-    std::array<Picture, 6> black;
-    black.fill(Picture({1, 1}, 4));
-    black_cube_ = gl::create_cube(upload, black);
-}
-
-Result<void> Renderer::Impl::build(Plan plan)
-{
-    Call call(*this);
-    if (!reader_)
-        create_shared_objects(call.upload);
-    Result<gl::PlanObjects> made = gl::create_plan_objects(call.upload, samplers_, std::move(plan), options_.is_timed);
-    if (!made)
-        return tl::unexpected(std::move(made.error()));
-    gl::Imports imports(made->plan);
-    if (imports_)
-        imports.adopt(call.upload, std::move(*imports_));
-    imports_ = std::move(imports);
-    std::swap(objects_, *made);
-    camera_.reset(); // another extent, another aspect
-    is_first_frame_ = checks_each_step_ = true;
-    return {};
+    const auto is_current = [&](GLuint program) { return program == static_cast<GLuint>(current); };
+    if (programs_.holds(is_current) || std::any_of(objects_.steps.begin(), objects_.steps.end(),
+                                                   [&](const auto& step) { return is_current(step.program.id()); }))
+        driver_.gl.UseProgram(0);
 }
 
 Result<void> Renderer::Impl::set_scene(const Scene& scene)
@@ -207,6 +104,17 @@ glsl::FrameBlock Renderer::Impl::frame_block(const Frame& frame) const
             .light_count = scene_ != nullptr ? static_cast<std::int32_t>(scene_->lights.size()) : 0};
 }
 
+gl::DrawInputs Renderer::Impl::draw_inputs(const std::vector<gl::TextureObject>& slots, const gl::Imports& imports)
+{
+    return {driver_.gl,
+            state_,
+            slots,
+            imports,
+            scene_buffers_ ? &*scene_buffers_ : nullptr,
+            empty_vertex_array_.id(),
+            black_cube_.id()};
+}
+
 Result<void> Renderer::Impl::render(const Frame& frame)
 {
     if (Errors missing = find_missing(frame); !missing.empty())
@@ -216,13 +124,7 @@ Result<void> Renderer::Impl::render(const Frame& frame)
         update_camera(call.upload, *camera);
     blocks_->set_frame(driver_.gl, frame_block(frame));
     blocks_->bind(state_);
-    const gl::DrawInputs inputs{driver_.gl,
-                                state_,
-                                objects_.slots,
-                                *imports_,
-                                scene_buffers_ ? &*scene_buffers_ : nullptr,
-                                empty_vertex_array_.id(),
-                                black_cube_.id()};
+    const gl::DrawInputs inputs = draw_inputs(objects_.slots, *imports_);
     objects_.timing.mark_start(driver_.gl);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
@@ -276,7 +178,7 @@ Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
     return HostTexture{id, (*output)->extent};
 }
 
-Result<Picture> Renderer::Impl::read(std::string_view name)
+Result<Picture> Renderer::Impl::read(std::string_view name, gl::Rectangle window)
 {
     const Result<HostTexture> texture = this->texture(name);
     if (!texture)
@@ -284,11 +186,12 @@ Result<Picture> Renderer::Impl::read(std::string_view name)
     const Plan::Output& output = **find_output(name);
     const bool is_slot = output.source == Plan::Read::Source::slot;
     Call call(*this);
-    Picture codes(output.extent, 4);
+    const gl::Rectangle part = window.extent == Extent{} ? gl::Rectangle{0, 0, output.extent} : window;
+    Picture codes(part.extent, 4);
     int code = 0;
     for (const Plan::Output::Place& place : output.places) {
         const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(place.index)].format : Format::rgba32f;
-        const Result<Picture> raw = reader_->read(call.upload, texture_of(output, place), format, output.extent);
+        const Result<Picture> raw = reader_->read(call.upload, texture_of(output, place), format, part);
         if (!raw)
             return tl::unexpected(raw.error());
         for (const char channel : place.channels)
@@ -324,10 +227,6 @@ Result<Renderer> Renderer::create(Plan plan, const RendererOptions& options)
     return Renderer(std::move(impl));
 }
 
-Result<void> Renderer::replace(Plan plan)
-{
-    return impl_->build(std::move(plan));
-}
 Result<void> Renderer::set_scene(const Scene& scene)
 {
     return impl_->set_scene(scene);
@@ -362,7 +261,11 @@ Result<void> Renderer::render(const Frame& frame)
 }
 Result<Picture> Renderer::read(std::string_view output)
 {
-    return impl_->read(output);
+    return impl_->read(output, {});
+}
+Result<Picture> Renderer::read_texel(std::string_view output, int x, int y)
+{
+    return impl_->read(output, {x, y, {1, 1}});
 }
 Result<HostTexture> Renderer::texture(std::string_view output) const
 {

@@ -100,11 +100,29 @@ Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, c
     return framebuffer;
 }
 
-Result<StepObjects> create_step(Upload& upload, Samplers& samplers, const Plan& plan, const Plan::Step& step,
-                                const std::vector<TextureObject>& slots)
+/// The step's program, linked before or now.
+Result<Program> obtain_program(Upload& upload, ProgramPool& pool, const PlanObjects& objects, const Plan::Step& step)
 {
-    Result<FramebufferObject> framebuffer = create_framebuffer(upload, plan, step, slots);
+    const auto is_taken = [&](const LinkedProgram& program) {
+        return std::any_of(objects.steps.begin(), objects.steps.end(),
+                           [&](const StepObjects& other) { return other.program.linked.get() == &program; });
+    };
+    std::string key = ProgramPool::key_of(step);
+    std::shared_ptr<LinkedProgram> linked = pool.find(key, is_taken);
+    if (linked)
+        return wire_program(upload.driver, upload.state, step, std::move(linked));
     Result<Program> program = create_program(upload.driver, upload.state, step);
+    if (program)
+        pool.add(std::move(key), program->linked);
+    return program;
+}
+
+Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const PlanObjects& made)
+{
+    const Plan& plan = made.plan;
+    const Plan::Step& step = plan.steps[made.steps.size()];
+    Result<FramebufferObject> framebuffer = create_framebuffer(upload, plan, step, made.slots);
+    Result<Program> program = obtain_program(upload, workshop.programs, made, step);
     Errors errors;
     if (!framebuffer)
         append(errors, std::move(framebuffer.error()));
@@ -114,12 +132,12 @@ Result<StepObjects> create_step(Upload& upload, Samplers& samplers, const Plan& 
         return tl::unexpected(std::move(errors));
     StepObjects objects{.framebuffer = std::move(*framebuffer), .program = std::move(*program)};
     for (const Plan::Read& read : step.reads) {
-        const GLuint plain = samplers.get(read.filter, read.wrap, read.wrap, false);
+        const GLuint plain = workshop.samplers.get(read.filter, read.wrap, read.wrap, false);
         const bool may_have_levels =
             read.source == Plan::Read::Source::import &&
             (read.has_levels || plan.imports[static_cast<size_t>(read.index)].kind != Plan::Import::Kind::picture);
         objects.samplers.push_back(
-            {plain, may_have_levels ? samplers.get(read.filter, read.wrap, read.wrap, true) : plain});
+            {plain, may_have_levels ? workshop.samplers.get(read.filter, read.wrap, read.wrap, true) : plain});
     }
     objects.has_srgb_target = std::any_of(step.targets.begin(), step.targets.end(), [&](const Plan::Target& target) {
         return plan.slots[static_cast<size_t>(target.slot)].format == Format::srgb8_a8;
@@ -129,7 +147,7 @@ Result<StepObjects> create_step(Upload& upload, Samplers& samplers, const Plan& 
 
 } // namespace
 
-Result<PlanObjects> create_plan_objects(Upload& upload, Samplers& samplers, Plan plan, bool is_timed)
+Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
 {
     if (Errors errors = find_extent_errors(plan, upload.driver.limits); !errors.empty())
         return tl::unexpected(std::move(errors));
@@ -143,25 +161,41 @@ Result<PlanObjects> create_plan_objects(Upload& upload, Samplers& samplers, Plan
     // Framebuffers on textures that could not be allocated would only say the same again.
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));
-    Errors errors;
-    for (const Plan::Step& step : plan.steps) {
-        upload.watch.enter(fmt::format("step `{}`", step.name));
-        Result<StepObjects> made = create_step(upload, samplers, plan, step, objects.slots);
-        if (made) {
-            objects.units = std::max(objects.units, made->program.units);
-            objects.steps.push_back(std::move(*made));
-            upload.watch.check();
-        } else {
-            append(errors, std::move(made.error()));
-        }
-        upload.watch.leave();
-    }
-    append(errors, upload.watch.take());
-    if (!errors.empty())
-        return tl::unexpected(std::move(errors));
     if (is_timed)
         objects.timing = Timing(upload.driver, plan.steps.size());
     objects.plan = std::move(plan);
+    return objects;
+}
+
+Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& objects)
+{
+    assert(!objects.is_complete());
+    Errors errors;
+    upload.watch.enter(fmt::format("step `{}`", objects.plan.steps[objects.steps.size()].name));
+    Result<StepObjects> made = create_step(upload, workshop, objects);
+    if (made) {
+        objects.units = std::max(objects.units, made->program.units);
+        objects.steps.push_back(std::move(*made));
+        upload.watch.check();
+    } else {
+        append(errors, std::move(made.error()));
+        objects.steps.emplace_back();
+    }
+    upload.watch.leave();
+    append(errors, upload.watch.take());
+    return errors;
+}
+
+Result<PlanObjects> create_plan_objects(Upload& upload, const Workshop& workshop, Plan plan, bool is_timed)
+{
+    Result<PlanObjects> objects = begin_plan_objects(upload, std::move(plan), is_timed);
+    if (!objects)
+        return objects;
+    Errors errors;
+    while (!objects->is_complete())
+        append(errors, add_step_objects(upload, workshop, *objects));
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
     return objects;
 }
 

@@ -30,11 +30,26 @@ struct PlanObjects {
     std::vector<StepObjects> steps;
     Timing timing;
     int units = 1; ///< texture units that steps use, and uploads: at least unit 0
+
+    bool is_complete() const { return steps.size() == plan.steps.size(); }
 };
 
+/// What the making of objects takes them from.
+struct Workshop {
+    Samplers& samplers;
+    ProgramPool& programs;
+};
+
+/// A plan's objects without any step yet.
+/// Errors   extent_too_large, extent_empty, out_of_memory.
+Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed);
+
+/// Makes the objects of the first step that has none; a program whose texts the pool knows is taken from it.
+/// Errors   shader_failed, texture_units_exceeded, framebuffer_incomplete; the step then has empty objects.
+Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& objects);
+
 /// Everything a plan's frames need.
-/// Errors   extent_too_large, extent_empty, out_of_memory, shader_failed, texture_units_exceeded,
-///          framebuffer_incomplete; all of them at once as far as they do not follow from each other.
-Result<PlanObjects> create_plan_objects(Upload& upload, Samplers& samplers, Plan plan, bool is_timed);
+/// Errors   those of both, all of them at once as far as they do not follow from each other.
+Result<PlanObjects> create_plan_objects(Upload& upload, const Workshop& workshop, Plan plan, bool is_timed);
 
 } // namespace passgraph::gl

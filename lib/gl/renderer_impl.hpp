@@ -1,0 +1,98 @@
+// The renderer's inside: one context's objects. Its files share this: renderer.cpp draws frames, renderer_plans.cpp changes plans.
+#pragma once
+
+#include <optional>
+
+#include <passgraph/gl/renderer.hpp>
+
+#include "gl/drawing.hpp"
+#include "gl/parameters.hpp"
+#include "gl/read_back.hpp"
+#include "gl/state_guard.hpp"
+
+namespace passgraph {
+
+/// A plan's objects as far as they are made.
+class PreparedPlan::Impl {
+public:
+    gl::PlanObjects objects;
+    gl::Imports imports;
+};
+
+class Renderer::Impl {
+public:
+    Impl(const RendererOptions& options, gl::Driver&& driver)
+        : options_(options), driver_(std::move(driver)), state_(driver_), samplers_(driver_)
+    {
+    }
+    ~Impl();
+
+    Result<void> build(Plan plan);
+    Result<std::unique_ptr<PreparedPlan::Impl>> prepare(Plan plan);
+    Result<void> advance(PreparedPlan::Impl& prepared);
+    void exchange(PreparedPlan::Impl& prepared);
+    Result<void> set_scene(const Scene& scene);
+    Result<void> render(const Frame& frame);
+    Result<Picture> read(std::string_view output, gl::Rectangle window);
+    Result<HostTexture> texture(std::string_view output) const;
+    std::vector<StepTime> step_times() const { return objects_.timing.read(driver_.gl, objects_.plan); }
+    template <class Take> Result<void> import(const Take& take);
+
+    gl::PlanObjects& objects() { return objects_; }
+    const Plan& plan() const { return objects_.plan; }
+    gl::Imports& imports() { return *imports_; }
+    const std::string& device_name() const { return driver_.device_name; }
+    Counters counters() const;
+
+private:
+    struct Call;
+
+    void create_shared_objects(gl::Upload& upload);
+    void take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl::Imports&& imports);
+    gl::DrawInputs draw_inputs(const std::vector<gl::TextureObject>& slots, const gl::Imports& imports);
+    Errors find_missing(const Frame& frame) const;
+    const Camera* camera_of(const Frame& frame) const;
+    void update_camera(gl::Upload& upload, const Camera& camera);
+    glsl::FrameBlock frame_block(const Frame& frame) const;
+    Result<const Plan::Output*> find_output(std::string_view name) const;
+    GLuint texture_of(const Plan::Output& output, const Plan::Output::Place& place) const;
+
+    RendererOptions options_;
+    gl::Driver driver_; ///< before all objects, which are deleted through it
+    gl::State state_;
+    gl::Samplers samplers_;
+    gl::ProgramPool programs_;
+    gl::PlanObjects objects_;
+    std::optional<gl::Imports> imports_;
+    std::optional<gl::SceneBuffers> scene_buffers_;
+    const Scene* scene_ = nullptr;
+    std::optional<gl::FrameBlocks> blocks_;
+    std::optional<gl::Reader> reader_;
+    gl::VertexArrayObject empty_vertex_array_;
+    gl::TextureObject black_cube_;
+    std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
+    bool is_first_frame_ = true;
+    bool checks_each_step_ = true;
+    std::int64_t draws_ = 0;
+};
+
+/// What each call that touches OpenGL starts and ends with.
+struct Renderer::Impl::Call {
+    std::optional<gl::StateGuard> guard; ///< first, so that it ends last
+    gl::ErrorWatch watch;
+    gl::Upload upload;
+
+    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_), upload{impl.driver_, impl.state_, watch}
+    {
+        impl.state_.reset();
+    }
+
+    static std::optional<gl::StateGuard> make_guard(const Impl& impl)
+    {
+        if (!impl.options_.restores_state)
+            return std::nullopt;
+        return std::optional<gl::StateGuard>(std::in_place, impl.driver_, impl.objects_.units);
+    }
+};
+
+} // namespace passgraph
