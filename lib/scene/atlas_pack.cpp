@@ -134,11 +134,11 @@ Errors find_too_large(const Scene& scene, const std::vector<Cell>& cells, int li
         if (std::max(width, height) + 2 * kGutter <= limit)
             continue;
         errors.push_back({"atlas_full",
-                          fmt::format("{}: its {} x {} texels do not fit the texture atlas, which may have {} x {} here; "
-                                      "{} asks for them",
+                          fmt::format("{}: its {} x {} texels do not fit the texture atlas, which may have {} x {} "
+                                      "here; {} asks for them",
                                       material_name(scene, cell), width, height, limit, limit,
                                       largest_texture(scene, cell)),
-                          fmt::format("scale it to {} texels or less in each direction: each texture has a border of one",
+                          fmt::format("scale it to {} texels or less a side: each texture gets a border of one",
                                       limit - 2 * kGutter),
                           {}, Fault::machine});
     }

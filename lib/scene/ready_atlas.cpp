@@ -41,7 +41,7 @@ Texture read(const NamedFile& file, const AtlasEntry& entry, bool is_srgb, Error
     }
     if (const auto holds_codes = holds_display_codes(file.path); holds_codes && !*holds_codes) {
         errors.push_back({"picture_format", fmt::format("{} holds no 8- or 16-bit codes", file.path),
-                          "an atlas is made of .png or .jpg pictures; \"emissive_strength\" makes emission brighter than 1",
+                          "an atlas is made of .png or .jpg pictures; \"emissive_strength\" makes it shine beyond 1",
                           file.where});
         return {};
     }
@@ -56,8 +56,8 @@ Texture read(const NamedFile& file, const AtlasEntry& entry, bool is_srgb, Error
     const auto [width, height] = picture->extent;
     if (entry.columns > 0 && (width % entry.columns != 0 || height % entry.rows != 0)) {
         errors.push_back({"value_out_of_range",
-                          fmt::format("{} has {} x {} texels, which {} columns and {} rows do not divide", file.path, width,
-                                      height, entry.columns, entry.rows),
+                          fmt::format("{} has {} x {} texels, which {} columns and {} rows do not divide", file.path,
+                                      width, height, entry.columns, entry.rows),
                           "\"cells\" is [columns, rows]; all cells have the same extent", entry.cells_where});
         return {};
     }
@@ -68,7 +68,8 @@ Texture read(const NamedFile& file, const AtlasEntry& entry, bool is_srgb, Error
 Texture cut(const Texture& whole, Extent cells, const CellEntry& cell)
 {
     const Extent extent{whole.extent.width / cells.width, whole.extent.height / cells.height};
-    Texture part{fmt::format("{} [{}, {}]", whole.name, cell.column, cell.row), extent, {}, cell.wrap, cell.wrap, whole.is_srgb};
+    Texture part{fmt::format("{} [{}, {}]", whole.name, cell.column, cell.row), extent, {}, cell.wrap, cell.wrap,
+                 whole.is_srgb};
     const size_t row_bytes = 4 * static_cast<size_t>(extent.width);
     for (int y = 0; y < extent.height; ++y) {
         const auto row = static_cast<size_t>(cell.row * extent.height + y);

@@ -20,7 +20,8 @@ bool whole_pair(JsonFields& fields, std::string_view key, int least, int& first,
         if (numbers[i] == std::floor(numbers[i]) && numbers[i] >= static_cast<float>(least) && numbers[i] <= kMost)
             continue;
         out_of_range(fields.find(key)->array[i],
-                     fmt::format("\"{}\" holds whole numbers from {} to {}, not {}", key, least, kMost, numbers[i]), errors);
+                     fmt::format("\"{}\" holds whole numbers from {} to {}, not {}", key, least, kMost, numbers[i]),
+                     errors);
         return false;
     }
     first = static_cast<int>(numbers[0]);
@@ -86,7 +87,8 @@ void check_cells(Entries& entries, Errors& errors)
     const auto report = [&](const ElementEntry& element) {
         const auto& [column, row, wrap, where] = *element.cell;
         if (!entries.atlas) {
-            errors.push_back({"field_missing", fmt::format("`{}` shows a cell, but the scene has no \"atlas\"", element.name),
+            errors.push_back({"field_missing",
+                              fmt::format("`{}` shows a cell, but the scene has no \"atlas\"", element.name),
                               "add \"atlas\": { \"albedo\": a picture, \"cells\": [columns, rows] }", where});
             return true;
         }
@@ -96,7 +98,8 @@ void check_cells(Entries& entries, Errors& errors)
         errors.push_back({"value_out_of_range",
                           fmt::format("`{}` shows the cell [{}, {}] of an atlas of {} x {}", element.name, column, row,
                                       columns, rows),
-                          fmt::format("columns count from 0 to {}, rows from 0, the top one, to {}", columns - 1, rows - 1),
+                          fmt::format("columns count from 0 to {}, rows from 0, the top one, to {}", columns - 1,
+                                      rows - 1),
                           where});
         return true;
     };
