@@ -53,8 +53,8 @@ bool is_constant(const Texture& texture, size_t component)
 }
 
 template <class Code, class Encode>
-void draw_channel(const Scene& scene, const Channel& channel, const std::vector<AtlasRect>& levels, const Encode& encode,
-                  Target<Code> target)
+void draw_channel(const Scene& scene, const Channel& channel, const std::vector<AtlasRect>& levels,
+                  const Encode& encode, Target<Code> target)
 {
     const auto index = static_cast<size_t>(channel.texture);
     const Texture* texture = channel.texture < 0 ? nullptr : &scene.textures[index];

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <stb_rect_pack.h>
@@ -90,22 +88,6 @@ std::vector<int> widths_to_try(const Boxes& boxes, int limit)
     }
     widths.push_back(limit);
     return widths;
-}
-
-/// stb sorts by size with qsort, which may exchange equals. They are interchangeable, so they are put in order again.
-void order_equals(Boxes& boxes)
-{
-    std::map<std::pair<int, int>, std::vector<size_t>> by_size;
-    for (size_t i = 0; i < boxes.size(); ++i)
-        by_size[{boxes[i].w, boxes[i].h}].push_back(i);
-    for (const auto& [size, equals] : by_size) {
-        std::vector<std::pair<int, int>> places;
-        for (const size_t i : equals)
-            places.emplace_back(boxes[i].y, boxes[i].x);
-        std::sort(places.begin(), places.end());
-        for (size_t i = 0; i < equals.size(); ++i)
-            std::tie(boxes[equals[i]].y, boxes[equals[i]].x) = places[i];
-    }
 }
 
 std::string material_name(const Scene& scene, const Cell& cell)
@@ -194,7 +176,6 @@ Result<Packing> pack(const Scene& scene, const std::vector<Cell>& cells, int max
     if (!best->is_complete)
         return fail(full(scene, cells, *best, limit));
 
-    order_equals(best->boxes);
     Packing packing{best->extent, std::vector<std::vector<AtlasRect>>(cells.size())};
     for (const stbrp_rect& box : best->boxes) {
         packing.levels[static_cast<size_t>(box.id)].push_back(
