@@ -36,7 +36,7 @@ public:
 
 private:
     static constexpr float kMost = 0.99999994f;
-    static constexpr int kBuckets = 4096; ///< codes are 1 / (12.92 * 255) = 1 / 3295 wide at least: one begins in each at most
+    static constexpr int kBuckets = 4096; ///< codes are 1 / (12.92 * 255) wide at least: one begins in each at most
 
     std::array<float, 256> next_{}; ///< by code: the least number whose code is higher
     std::array<std::uint8_t, kBuckets> code_{};

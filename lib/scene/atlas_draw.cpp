@@ -53,12 +53,14 @@ bool is_constant(const Texture& texture, size_t component)
 }
 
 template <class Code, class Encode>
-void draw_channel(const Scene& scene, const Channel& channel, const std::vector<AtlasRect>& levels, const Encode& encode,
-                  Target<Code> target)
+void draw_channel(const Scene& scene, const Channel& channel, const std::vector<AtlasRect>& levels,
+                  const Encode& encode, Target<Code> target)
 {
-    const Texture* texture = channel.texture < 0 ? nullptr : &scene.textures[static_cast<size_t>(channel.texture)];
+    const auto index = static_cast<size_t>(channel.texture);
+    const Texture* texture = channel.texture < 0 ? nullptr : &scene.textures[index];
     if (!texture || is_constant(*texture, channel.component)) {
-        const float value = texture ? value_of(*texture, channel, texture->rgba[channel.component]) : channel.factor;
+        const float value =
+            texture ? value_of(*texture, channel, texture->rgba[channel.component]) : channel.factor;
         for (const AtlasRect& rect : levels)
             fill(rect, encode(value), target);
         return;
@@ -77,14 +79,15 @@ void draw_cell(const Scene& scene, const Cell& cell, const std::vector<AtlasRect
 {
     static const SrgbCode srgb;
     const int width = atlas.extent.width;
+    const auto channel_of = [&](auto& image, size_t channel) { return Target{image.data() + channel, width}; };
     const auto& [albedo, material, emissive] = cell.recipe;
     for (size_t c = 0; c < 3; ++c) {
-        draw_channel(scene, albedo[c], levels, srgb, Target<std::uint8_t>{atlas.albedo.data() + c, width});
-        draw_channel(scene, material[c], levels, LinearCode{}, Target<std::uint8_t>{atlas.material.data() + c, width});
+        draw_channel(scene, albedo[c], levels, srgb, channel_of(atlas.albedo, c));
+        draw_channel(scene, material[c], levels, LinearCode{}, channel_of(atlas.material, c));
         if (!atlas.emissive.empty())
-            draw_channel(scene, emissive[c], levels, HalfCode{}, Target<std::uint16_t>{atlas.emissive.data() + c, width});
+            draw_channel(scene, emissive[c], levels, HalfCode{}, channel_of(atlas.emissive, c));
     }
-    draw_channel(scene, albedo[3], levels, LinearCode{}, Target<std::uint8_t>{atlas.albedo.data() + 3, width});
+    draw_channel(scene, albedo[3], levels, LinearCode{}, channel_of(atlas.albedo, 3));
 }
 
 } // namespace passgraph::atlas

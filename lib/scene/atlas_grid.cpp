@@ -55,8 +55,9 @@ std::vector<Taps> between(int count, int result_count, Wrap wrap)
         const double first = std::floor(place);
         const int low = wrapped_index(static_cast<int>(first), count, wrap);
         const int high = wrapped_index(static_cast<int>(first) + 1, count, wrap);
+        const double share = place - first;
         taps[static_cast<size_t>(i)] = {{low, high, high},
-                                        {static_cast<float>(first + 1.0 - place), static_cast<float>(place - first), 0.0f}};
+                                        {static_cast<float>(1.0 - share), static_cast<float>(share), 0.0f}};
     }
     return taps;
 }

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <stb_rect_pack.h>
@@ -92,22 +90,6 @@ std::vector<int> widths_to_try(const Boxes& boxes, int limit)
     return widths;
 }
 
-/// stb sorts by size with qsort, which may exchange equals. They are interchangeable, so they are put in order again.
-void order_equals(Boxes& boxes)
-{
-    std::map<std::pair<int, int>, std::vector<size_t>> by_size;
-    for (size_t i = 0; i < boxes.size(); ++i)
-        by_size[{boxes[i].w, boxes[i].h}].push_back(i);
-    for (const auto& [size, equals] : by_size) {
-        std::vector<std::pair<int, int>> places;
-        for (const size_t i : equals)
-            places.emplace_back(boxes[i].y, boxes[i].x);
-        std::sort(places.begin(), places.end());
-        for (size_t i = 0; i < equals.size(); ++i)
-            std::tie(boxes[equals[i]].y, boxes[equals[i]].x) = places[i];
-    }
-}
-
 std::string material_name(const Scene& scene, const Cell& cell)
 {
     const std::string& name = scene.materials[static_cast<size_t>(cell.material)].name;
@@ -134,11 +116,11 @@ Errors find_too_large(const Scene& scene, const std::vector<Cell>& cells, int li
         if (std::max(width, height) + 2 * kGutter <= limit)
             continue;
         errors.push_back({"atlas_full",
-                          fmt::format("{}: its {} x {} texels do not fit the texture atlas, which may have {} x {} here; "
-                                      "{} asks for them",
+                          fmt::format("{}: its {} x {} texels do not fit the texture atlas, which may have {} x {} "
+                                      "here; {} asks for them",
                                       material_name(scene, cell), width, height, limit, limit,
                                       largest_texture(scene, cell)),
-                          fmt::format("scale it to {} texels or less in each direction: each texture has a border of one",
+                          fmt::format("scale it to {} texels or less a side: each texture gets a border of one",
                                       limit - 2 * kGutter),
                           {}, Fault::machine});
     }
@@ -194,7 +176,6 @@ Result<Packing> pack(const Scene& scene, const std::vector<Cell>& cells, int max
     if (!best->is_complete)
         return fail(full(scene, cells, *best, limit));
 
-    order_equals(best->boxes);
     Packing packing{best->extent, std::vector<std::vector<AtlasRect>>(cells.size())};
     for (const stbrp_rect& box : best->boxes) {
         packing.levels[static_cast<size_t>(box.id)].push_back(

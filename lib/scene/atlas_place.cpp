@@ -1,4 +1,5 @@
 // From texture coordinates to places in the atlas, as shaders do it.
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -31,8 +32,8 @@ int atlas_level(glm::vec2 dx_texels, glm::vec2 dy_texels, int last)
     assert(last >= 0);
     const float along_x = glm::dot(dx_texels, dx_texels);
     const float along_y = glm::dot(dy_texels, dy_texels);
-    const float longest = along_x > along_y ? along_x : along_y;
-    const float squared = longest > 1.0f ? longest : 1.0f;
+    float squared = along_x > 1.0f ? along_x : 1.0f;
+    squared = along_y > squared ? along_y : squared;
     // Level k is for lengths from 2^(k - 1/2) to 2^(k + 1/2), so for squares whose exponent is 2k - 1 or 2k.
     const int exponent_and_one = (std::bit_cast<std::int32_t>(squared) >> 23) - 126;
     return std::min(exponent_and_one >> 1, last);

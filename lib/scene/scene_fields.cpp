@@ -61,17 +61,6 @@ glm::dmat4 read_placement(JsonFields& fields, Errors& errors)
     return glm::scale(world, glm::dvec3(scale));
 }
 
-NamedFile read_file_name(JsonFields& fields, std::string_view key, Errors& errors)
-{
-    const Json* value = fields.require(key, Json::Kind::string);
-    if (!value)
-        return {};
-    if (value->string.empty() || value->string.find('\0') != std::string::npos)
-        out_of_range(*value, fmt::format("\"{}\" names no file", key), errors);
-    const auto path = std::filesystem::path(value->where.file).parent_path() / value->string;
-    return {value->string.empty() ? "" : path.string(), value->where};
-}
-
 ElementEntry read_element(const Json& json, Errors& errors)
 {
     JsonFields fields(json, "element", errors);
@@ -81,6 +70,7 @@ ElementEntry read_element(const Json& json, Errors& errors)
     element.model = read_file_name(fields, "model", errors);
     if (element.name.empty())
         element.name = std::filesystem::path(element.model.path).stem().string();
+    element.cell = read_cell(fields, errors);
     element.world_from_model = read_placement(fields, errors);
     fields.finish();
     return element;
@@ -113,6 +103,17 @@ void report_twice(const Json& list, std::string_view what, Errors& errors)
 }
 
 } // namespace
+
+NamedFile read_file_name(JsonFields& fields, std::string_view key, Errors& errors)
+{
+    const Json* value = fields.require(key, Json::Kind::string);
+    if (!value)
+        return {};
+    if (value->string.empty() || value->string.find('\0') != std::string::npos)
+        out_of_range(*value, fmt::format("\"{}\" names no file", key), errors);
+    const auto path = std::filesystem::path(value->where.file).parent_path() / value->string;
+    return {value->string.empty() ? "" : path.string(), value->where};
+}
 
 float number_in(JsonFields& fields, std::string_view key, float fallback, Range range, Errors& errors)
 {
@@ -163,10 +164,13 @@ Entries read_entries(const Json& root, Errors& errors)
         entries.camera = read_camera(*camera, errors);
     if (const Json* sky = fields.find("sky", Json::Kind::object))
         entries.sky = read_sky(*sky, errors);
+    if (const Json* atlas = fields.find("atlas", Json::Kind::object))
+        entries.atlas = read_atlas(*atlas, errors);
     if (const Json* elements = fields.find("elements", Json::Kind::array)) {
         for (const Json& element : elements->array)
             entries.elements.push_back(read_element(element, errors));
         report_twice(*elements, "elements", errors);
+        check_cells(entries, errors);
     }
     if (const Json* lights = fields.find("lights", Json::Kind::array)) {
         for (const Json& light : lights->array)

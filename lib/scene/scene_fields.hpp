@@ -19,9 +19,29 @@ struct NamedFile {
     Location where;
 };
 
+/// The cell of the scene's ready atlas that an element shows; counted from the file's top left.
+struct CellEntry {
+    int column = 0;
+    int row = 0;
+    Wrap wrap = Wrap::repeat;
+    Location where;
+};
+
+/// A ready atlas: pictures of whole materials in rows and columns. A path is empty where there is no such picture.
+struct AtlasEntry {
+    NamedFile albedo;
+    NamedFile material;
+    NamedFile emissive;
+    float emissive_strength = 1.0f;
+    int columns = 0; ///< 0: not known, because "cells" is wrong
+    int rows = 0;
+    Location cells_where;
+};
+
 struct ElementEntry {
     std::string name;
     NamedFile model;
+    std::optional<CellEntry> cell;
     glm::dmat4 world_from_model{1.0};
     Location where;
 };
@@ -36,6 +56,7 @@ struct Entries {
     std::string name;
     std::optional<Camera> camera;
     std::optional<SkyEntry> sky;
+    std::optional<AtlasEntry> atlas;
     std::vector<ElementEntry> elements;
     std::vector<Light> lights;
 };
@@ -44,6 +65,14 @@ Entries read_entries(const Json& root, Errors& errors);
 
 Camera read_camera(const Json& camera, Errors& errors);                         // scene_camera.cpp
 Light read_light(const Json& light, std::string fallback_name, Errors& errors); // scene_lights.cpp
+AtlasEntry read_atlas(const Json& atlas, Errors& errors);                       // scene_atlas.cpp
+/// An element's "cell" and "wrap".
+std::optional<CellEntry> read_cell(JsonFields& fields, Errors& errors); // scene_atlas.cpp
+/// Reports each cell that the atlas does not have, and takes it from its element.
+void check_cells(Entries& entries, Errors& errors); // scene_atlas.cpp
+
+/// A file that must be named; its path is relative to the scene file.
+NamedFile read_file_name(JsonFields& fields, std::string_view key, Errors& errors);
 
 /// A number that a float holds and that lies in a range; anything else is reported and gives the fallback.
 struct Range {

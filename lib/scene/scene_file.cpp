@@ -11,6 +11,7 @@
 #include <passgraph/scene/bounds.hpp>
 
 #include "gltf.hpp"
+#include "ready_atlas.hpp"
 #include "scene_fields.hpp"
 
 namespace passgraph {
@@ -19,16 +20,22 @@ namespace {
 using scene_file::ElementEntry;
 using scene_file::SkyEntry;
 
-/// Reads each model once, however many elements show it.
+/// Reads each model once, however many elements show it; once more for each cell that it shows, because a mesh has one
+/// material wherever it stands.
 class Models {
 public:
-    Models(Scene& scene, Errors& errors) : scene_(scene), errors_(errors) {}
+    Models(Scene& scene, const scene_file::ReadyAtlas& atlas, Errors& errors)
+        : scene_(scene), atlas_(atlas), errors_(errors)
+    {
+    }
 
     void place(const ElementEntry& entry)
     {
         if (entry.model.path.empty())
             return; // its mistake is reported already
-        const std::string key = std::filesystem::path(entry.model.path).lexically_normal().string();
+        std::string key = std::filesystem::path(entry.model.path).lexically_normal().string();
+        if (const auto& cell = entry.cell)
+            key += fmt::format(" [{}, {}] {}", cell->column, cell->row, static_cast<int>(cell->wrap));
         const auto [known, is_new] = models_.try_emplace(key);
         if (is_new)
             known->second = load(entry);
@@ -59,11 +66,14 @@ private:
             append(errors_, model.error());
             return {};
         }
+        if (entry.cell)
+            scene_file::show_cell(atlas_, *entry.cell, *model);
         const int first_mesh = gltf::add_resources(scene_, *model);
         return {{{}, {}, {}, std::move(model->placements)}, first_mesh};
     }
 
     Scene& scene_;
+    const scene_file::ReadyAtlas& atlas_;
     Errors& errors_;
     std::map<std::string, Loaded> models_;
 };
@@ -119,7 +129,8 @@ Result<Scene> load_scene(const std::string& path)
     Scene scene;
     scene.name = std::move(entries.name);
     scene.lights = std::move(entries.lights);
-    Models models(scene, errors);
+    const auto atlas = entries.atlas ? scene_file::load_ready_atlas(*entries.atlas, errors) : scene_file::ReadyAtlas{};
+    Models models(scene, atlas, errors);
     for (const ElementEntry& element : entries.elements)
         models.place(element);
     if (entries.sky)

@@ -19,13 +19,13 @@ float atlas_wrap(float x, int mode)
 /// The level, 0 to `last`, whose texels match a pixel; the gradients of the unwrapped uv in texels of level 0.
 /// OpenGL 4.6 specification, section 8.14, NEAREST between levels: round(log2(the longer gradient)). From the square's
 /// exponent, without a logarithm: lengths from 2^(k - 1/2) to 2^(k + 1/2) have squares with exponent 2 k - 1 or 2 k.
-/// The exponent of a float begins at bit 23 and is 127 too large; infinity has the largest, NaN becomes 1.
+/// The exponent of a float begins at bit 23 and is 127 too large; infinity has the largest; NaN is passed over.
 int atlas_level(vec2 dx_texels, vec2 dy_texels, int last)
 {
     float along_x = dot(dx_texels, dx_texels);
     float along_y = dot(dy_texels, dy_texels);
-    float longest = along_x > along_y ? along_x : along_y;
-    float squared = longest > 1.0 ? longest : 1.0;
+    float squared = along_x > 1.0 ? along_x : 1.0;
+    squared = along_y > squared ? along_y : squared;
     int exponent_and_one = (floatBitsToInt(squared) >> 23) - 126;
     return min(exponent_and_one >> 1, last);
 }

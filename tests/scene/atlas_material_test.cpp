@@ -150,6 +150,11 @@ TEST_CASE("materials that look alike share a cell, and others do not", "[scene][
     for (const int other : {wrapped, linear, rougher, plain})
         CHECK_FALSE(cell(first).levels == cell(other).levels);
     CHECK_FALSE(cell(wrapped).levels == cell(rougher).levels);
+    SECTION("and the shared one has room once")
+    {
+        scene.elements.erase(scene.elements.begin() + twin);
+        CHECK(atlas_of(scene).extent == atlas.extent);
+    }
 }
 
 TEST_CASE("a material that no element shows takes no room", "[scene][atlas]")

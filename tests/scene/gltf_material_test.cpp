@@ -12,7 +12,8 @@ namespace {
 test::Loaded with_material(const std::string& material, const std::string& more = "")
 {
     const Folder folder;
-    for (const char* name : {"grey.png", "grey_alpha.png", "deep.png"})
+    for (const char* name : {"grey.png", "grey_alpha.png", "deep.png", "deep_grey.png", "deep_grey_alpha.png", "deep_alpha.png",
+                             "palette.png", "one_bit.png"})
         std::filesystem::copy_file(test::data_file(std::string("models/") + name), folder.path(name));
     test::ModelBuilder model;
     model.add_floats(test::kTriangle, 3);
@@ -77,6 +78,18 @@ TEST_CASE("grey and grey with alpha become RGBA", "[scene][gltf]")
 TEST_CASE("16-bit codes are rounded to the nearest 8-bit code", "[scene][gltf]")
 {
     CHECK(with_picture("deep.png").scene.textures.at(0).rgba == std::vector<std::uint8_t>{0, 128, 255, 255, 1, 1, 1, 255});
+}
+
+TEST_CASE("every kind of PNG becomes RGBA, 16 bits and transparency included", "[scene][gltf]")
+{
+    using Codes = std::vector<std::uint8_t>;
+    const auto codes = [](const std::string& file) { return with_picture(file).scene.textures.at(0).rgba; };
+    // The nearest of 257 * code: 0x8080 is 128 itself, 0x00ff is 0.99, 0x807f just below 128.
+    CHECK(codes("deep_grey.png") == Codes{128, 128, 128, 255, 1, 1, 1, 255, 128, 128, 128, 255});
+    CHECK(codes("deep_grey_alpha.png") == Codes{255, 255, 255, 51, 1, 1, 1, 255});
+    CHECK(codes("deep_alpha.png") == Codes{18, 171, 255, 128}); // 0x1234 is 18.1, 0xabcd 171.1, 0x8000 127.5 and a bit
+    CHECK(codes("palette.png") == Codes{255, 0, 0, 128, 0, 255, 0, 255, 1, 2, 3, 255, 255, 0, 0, 128});
+    CHECK(codes("one_bit.png") == Codes{255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255});
 }
 
 TEST_CASE("a texture used as color and as data becomes two, used twice as color one", "[scene][gltf]")

@@ -76,7 +76,7 @@ float atlas_wrap(float x, Wrap mode);
 /// The level whose texels match a pixel: the rounded binary logarithm of the longer of two gradients.
 ///
 /// Units    `dx_texels`, `dy_texels`: how far the unwrapped uv move from a pixel to the next, in texels of level 0.
-/// Range    0 (also for a gradient that is NaN) to `last`; an infinite gradient gives `last`.
+/// Range    0 to `last`; an infinite gradient gives `last`, and one that is NaN counts as none.
 /// Errors   none; asserts 0 <= last.
 /// Cost     constant.
 /// Source   OpenGL 4.6 specification, equations 8.7 and 8.8 and section 8.14.3, NEAREST between levels; Williams 1983.
