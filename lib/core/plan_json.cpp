@@ -48,6 +48,7 @@ Object step_json(const Plan::Step& step, bool with_glsl)
                    {"reads", Object::array()},
                    {"targets", Object::array()},
                    {"depth_slot", step.depth_slot < 0 ? Object(nullptr) : Object(step.depth_slot)},
+                   {"tested_depth_slot", step.tested_depth_slot < 0 ? Object(nullptr) : Object(step.tested_depth_slot)},
                    {"uniforms", Object::array()},
                    {"host", Object::array()}};
     for (const Plan::Read& read : step.reads)
@@ -66,6 +67,8 @@ Object step_json(const Plan::Step& step, bool with_glsl)
     if (with_glsl) {
         json["vertex"] = step.vertex;
         json["fragment"] = step.fragment;
+        if (!step.background.empty())
+            json["background"] = step.background;
         json["sources"] = step.sources;
     }
     return json;

@@ -53,6 +53,9 @@ void add_step(std::string& text, const Plan& plan, size_t index)
         text += fmt::format("       writes  {} ({})\n", target.image, slot_text(plan, target.slot));
     if (step.depth_slot >= 0)
         text += fmt::format("       depth   {}\n", slot_text(plan, step.depth_slot));
+    if (step.tested_depth_slot >= 0)
+        text += fmt::format("       parts   surfaces, and background, by the depth in {}\n",
+                            slot_text(plan, step.tested_depth_slot));
     for (const Plan::Uniform& uniform : step.uniforms)
         text += fmt::format("       live    {}: a change concerns {} of {} steps\n", uniform.place,
                             redrawn_steps(plan, index), plan.steps.size());

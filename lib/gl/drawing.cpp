@@ -23,11 +23,11 @@ GLuint atlas_texture(const DrawInputs& inputs, const Plan::Import& import)
                                                : atlas.emissive.id();
 }
 
-void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& objects)
+void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& objects, const Program& program)
 {
     for (size_t i = 0; i < step.reads.size(); ++i) {
         const Plan::Read& read = step.reads[i];
-        const int unit = objects.program.read_units[i];
+        const int unit = program.read_units[i];
         if (unit < 0)
             continue;
         if (read.source == Plan::Read::Source::slot) {
@@ -95,28 +95,44 @@ std::int64_t draw_elements(const DrawInputs& inputs, const Program& program)
     return static_cast<std::int64_t>(inputs.scene->draws.size());
 }
 
+/// Everything that a program's draws read.
+void use(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& objects, Program& program)
+{
+    inputs.state.use_program(program.id());
+    bind_reads(inputs, step, objects, program);
+    bind_scene(inputs, program.scene);
+    send_uniforms(inputs.gl, program);
+}
+
+void draw_triangle(const DrawInputs& inputs)
+{
+    inputs.state.cull_back_faces(false);
+    inputs.state.vertex_array(inputs.empty_vertex_array);
+    inputs.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 } // namespace
 
 std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects)
 {
-    const bool is_geometry = step.kind == Plan::Step::Kind::geometry;
     State& state = inputs.state;
     state.draw_framebuffer(objects.framebuffer.id());
     state.viewport(inputs.only_warms_up ? Extent{1, 1} : step.extent);
-    state.use_program(objects.program.id());
     state.encodes_srgb(objects.has_srgb_target);
-    state.depth(is_geometry);
-    bind_reads(inputs, step, objects);
-    bind_scene(inputs, objects.program.scene);
-    send_uniforms(inputs.gl, objects.program);
-    if (is_geometry) {
+    use(inputs, step, objects, objects.program);
+    if (step.kind == Plan::Step::Kind::geometry) {
+        state.depth(State::Depth::tested_and_written);
         clear_targets(inputs, step);
         return draw_elements(inputs, objects.program);
     }
-    state.cull_back_faces(false);
-    state.vertex_array(inputs.empty_vertex_array);
-    inputs.gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    return 1;
+    state.depth(objects.background ? State::Depth::surfaces : State::Depth::unused);
+    draw_triangle(inputs);
+    if (!objects.background)
+        return 1;
+    use(inputs, step, objects, *objects.background);
+    state.depth(State::Depth::background);
+    draw_triangle(inputs);
+    return 2;
 }
 
 } // namespace passgraph::gl

@@ -100,7 +100,7 @@ Result<void> draw(gl::Upload& upload, gl::Program& program, GLuint table, GLuint
                      .message = "this device cannot draw into rgba32f",
                      .hint = "use another device, or Mesa's software renderer",
                      .fault = Fault::machine});
-    state.depth(false);
+    state.depth(gl::State::Depth::unused);
     state.cull_back_faces(false);
     state.viewport(rows);
     state.use_program(program.id());

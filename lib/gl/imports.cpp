@@ -1,6 +1,8 @@
 // Taking in of pictures, cube maps and host textures.
 #include "gl/imports.hpp"
 
+#include <atomic>
+
 #include <fmt/format.h>
 
 #include "gl/cube_faces.hpp"
@@ -33,6 +35,14 @@ bool is_level_there(Upload& upload, const ImportTexture& texture, int level)
     return width > 0;
 }
 
+/// Numbers that no import of any plan had before; the host's own count in the other half.
+std::uint64_t next_version()
+{
+    static std::atomic<std::uint64_t> latest = 0;
+    return ++latest;
+}
+constexpr std::uint64_t hosts_version(std::uint64_t version) { return version | std::uint64_t{1} << 63; }
+
 bool fits(const Plan::Import& wanted, const Plan::Import& old)
 {
     return wanted.name == old.name && wanted.kind == old.kind && wanted.signal == old.signal &&
@@ -60,6 +70,7 @@ void Imports::adopt(Upload& upload, Imports&& old)
             texture.id = candidate.id;
             texture.owned = std::move(candidate.owned);
             texture.has_levels = candidate.has_levels;
+            texture.version = candidate.version;
             if (texture.owned && texture.wants_levels && !texture.has_levels) {
                 add_levels(upload, texture.id);
                 texture.has_levels = true;
@@ -75,6 +86,7 @@ void Imports::borrow(const Imports& other)
             if (candidate.id != 0 && fits(texture.import, candidate.import)) {
                 texture.id = candidate.id;
                 texture.has_levels = candidate.has_levels;
+                texture.version = candidate.version;
             }
 }
 
@@ -112,6 +124,7 @@ Result<void> Imports::set_picture(Upload& upload, std::string_view name, const P
         texture.has_levels = texture.wants_levels;
     }
     texture.id = texture.owned.id();
+    texture.version = next_version();
     fill_picture(upload, texture.id, to_rgba(picture, texture.import.signal), texture.has_levels);
     upload.watch.check();
     upload.watch.leave();
@@ -139,6 +152,7 @@ Result<void> Imports::set_cube(Upload& upload, std::string_view name, const std:
         return tl::unexpected(std::move(errors));
     texture.owned = std::move(made);
     texture.id = texture.owned.id();
+    texture.version = next_version();
     texture.has_levels = true;
     return {};
 }
@@ -157,6 +171,7 @@ Result<void> Imports::set_host_texture(Upload& upload, std::string_view name, co
         return fail(wrong_extent(texture.import, host.extent));
     texture.owned = {};
     texture.id = host.id;
+    texture.version = host.version == 0 ? 0 : hosts_version(host.version);
     texture.has_levels = (texture.wants_levels || texture.is_cube()) && is_level_there(upload, texture, 1);
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));

@@ -16,6 +16,7 @@ struct ImportTexture {
     bool wants_levels = false; ///< a step samples it with mip levels
     bool has_levels = false;
     GLuint id = 0;
+    std::uint64_t version = 0; ///< another whenever the host supplies anew; 0: may change any time
     TextureObject owned{}; ///< empty for a host's own texture
 
     bool is_cube() const { return import.kind == Plan::Import::Kind::cube || import.kind == Plan::Import::Kind::sky; }

@@ -140,7 +140,7 @@ Result<void> Presenter::Impl::draw(gl::Upload& upload, const ShownImage& image, 
     if (!program)
         return tl::unexpected(program.error());
     const gl::Functions& gl = driver_.gl;
-    state_.depth(false);
+    state_.depth(gl::State::Depth::unused);
     state_.cull_back_faces(false);
     state_.encodes_srgb(false);
     gl.Viewport(place.x, place.y, place.extent.width, place.extent.height);

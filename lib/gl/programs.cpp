@@ -2,12 +2,14 @@
 #include "gl/programs.hpp"
 
 #include <array>
+#include <bit>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include <passgraph/core/glsl_interface.hpp>
 
+#include "gl/freshness.hpp"
 #include "gl/shader_log.hpp"
 #include "gl/state_names.hpp"
 
@@ -150,6 +152,15 @@ Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& ste
                                     .type = uniform.type,
                                     .value = uniform.value});
     return program;
+}
+
+std::uint64_t version_of(const std::vector<LiveUniform>& uniforms)
+{
+    std::uint64_t version = 0;
+    for (const LiveUniform& uniform : uniforms)
+        for (const double component : uniform.value.v)
+            version = mixed(version, std::bit_cast<std::uint64_t>(component));
+    return version;
 }
 
 void send_uniforms(const Functions& gl, Program& program)

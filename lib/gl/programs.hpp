@@ -50,6 +50,9 @@ Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& ste
 /// Both.
 Result<Program> create_program(Driver& driver, State& state, const Plan::Step& step);
 
+/// A number that changes when one of the values does.
+std::uint64_t version_of(const std::vector<LiveUniform>& uniforms);
+
 /// Sends changed values to the program, which is the current one.
 void send_uniforms(const Functions& gl, Program& program);
 

@@ -46,6 +46,7 @@ Result<void> Renderer::Impl::set_scene(const Scene& scene)
     else
         scene_buffers_ = std::move(*made);
     scene_ = &scene;
+    ++scene_version_;
     camera_.reset();
     return {};
 }
@@ -89,6 +90,7 @@ void Renderer::Impl::update_camera(gl::Upload& upload, const Camera& camera)
     if (camera_ && gl::same_camera(*camera_, camera))
         return;
     camera_ = camera;
+    ++camera_version_;
     const gl::View view = gl::view_of(camera, objects_.plan.extent, driver_.gl.ClipControl != nullptr);
     blocks_->set_camera(driver_.gl, view.block);
     if (scene_buffers_)
@@ -115,6 +117,18 @@ gl::DrawInputs Renderer::Impl::draw_inputs(const std::vector<gl::TextureObject>&
             black_cube_.id()};
 }
 
+gl::Versions Renderer::Impl::versions() const
+{
+    gl::Versions versions{.camera = camera_version_, .scene = scene_version_, .frame = frame_version_};
+    for (int i = 0; i < static_cast<int>(objects_.plan.imports.size()); ++i) {
+        const gl::ImportTexture& import = (*imports_)[i];
+        versions.imports.push_back(import.id == 0 ? scene_version_ : import.version != 0 ? import.version : frame_version_);
+    }
+    for (const gl::StepObjects& step : objects_.steps)
+        versions.params.push_back(gl::version_of(step.program.uniforms));
+    return versions;
+}
+
 Result<void> Renderer::Impl::render(const Frame& frame)
 {
     if (Errors missing = find_missing(frame); !missing.empty())
@@ -125,11 +139,14 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     blocks_->set_frame(driver_.gl, frame_block(frame));
     blocks_->bind(state_);
     const gl::DrawInputs inputs = draw_inputs(objects_.slots, *imports_);
+    frame_version_ = (frame_version_ + 1) | std::uint64_t{1} << 62; // equal to no other kind of version
+    const std::vector<bool> stale = objects_.freshness.stale(objects_.plan, versions(), frame.redraws);
     objects_.timing.mark_start(driver_.gl);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
         call.watch.enter(fmt::format("step `{}`", step.name));
-        draws_ += gl::draw_step(inputs, step, objects_.steps[i]);
+        if (stale[i])
+            draws_ += gl::draw_step(inputs, step, objects_.steps[i]);
         objects_.timing.mark_end_of(driver_.gl, i);
         if (checks_each_step_)
             call.watch.check();
@@ -138,8 +155,11 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     Errors errors = call.watch.take();
     // After an error that only the frame's end noticed, the next frame finds the step.
     checks_each_step_ = !errors.empty();
-    if (!errors.empty())
+    if (!errors.empty()) {
+        objects_.freshness.forget();
         return tl::unexpected(std::move(errors));
+    }
+    objects_.freshness.have_run(objects_.plan, stale);
     objects_.timing.frame_done();
     is_first_frame_ = false;
     return {};

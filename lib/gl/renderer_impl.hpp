@@ -54,6 +54,7 @@ private:
     const Camera* camera_of(const Frame& frame) const;
     void update_camera(gl::Upload& upload, const Camera& camera);
     glsl::FrameBlock frame_block(const Frame& frame) const;
+    gl::Versions versions() const;
     Result<const Plan::Output*> find_output(std::string_view name) const;
     GLuint texture_of(const Plan::Output& output, const Plan::Output::Place& place) const;
 
@@ -71,6 +72,9 @@ private:
     gl::VertexArrayObject empty_vertex_array_;
     gl::TextureObject black_cube_;
     std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
+    std::uint64_t camera_version_ = 0;
+    std::uint64_t scene_version_ = 0;
+    std::uint64_t frame_version_ = 0;
     bool is_first_frame_ = true;
     bool checks_each_step_ = true;
     std::int64_t draws_ = 0;

@@ -28,7 +28,8 @@ void State::reset()
     program_ = framebuffer_ = vertex_array_ = kUnknown;
     active_unit_ = -1;
     viewport_ = {-1, -1};
-    depth_ = cull_ = mirrored_ = srgb_ = Switch::unknown;
+    depth_.reset();
+    cull_ = mirrored_ = srgb_ = Switch::unknown;
     set_fixed_state();
 }
 
@@ -41,8 +42,6 @@ void State::set_fixed_state()
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl.CullFace(GL_BACK);
-    gl.DepthFunc(GL_GREATER); // reversed: 1 near, 0 far
-    gl.DepthRange(0.0, 1.0);
     if (gl.ClipControl != nullptr)
         gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl.ClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
@@ -115,12 +114,17 @@ void State::uniform_buffer(int binding, GLuint buffer)
         driver_.gl.BindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer);
 }
 
-void State::depth(bool is_on)
+void State::depth(Depth use)
 {
-    if (!changes(depth_, is_on))
+    if (!changes(depth_, std::optional(use)))
         return;
-    enable(GL_DEPTH_TEST, is_on);
-    driver_.gl.DepthMask(is_on ? GL_TRUE : GL_FALSE);
+    const Functions& gl = driver_.gl;
+    enable(GL_DEPTH_TEST, use != Depth::unused);
+    gl.DepthMask(use == Depth::tested_and_written ? GL_TRUE : GL_FALSE);
+    // Reversed: 1 near, 0 far and where nothing is. A full-screen triangle is put at 0 by its range, whatever the clip
+    // space's depth is.
+    gl.DepthRange(0.0, use == Depth::tested_and_written ? 1.0 : 0.0);
+    gl.DepthFunc(use == Depth::surfaces ? GL_LESS : use == Depth::background ? GL_EQUAL : GL_GREATER);
 }
 
 void State::cull_back_faces(bool is_on)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gl/objects.hpp"
@@ -26,8 +27,14 @@ public:
     void texture(int unit, GLenum target, GLuint texture);
     void sampler(int unit, GLuint sampler);
     void uniform_buffer(int binding, GLuint buffer);
-    /// Test and write together: geometry steps do both, full-screen draws neither.
-    void depth(bool is_on);
+    /// What a draw does with the depth buffer.
+    enum class Depth : std::uint8_t {
+        unused,
+        tested_and_written, ///< nearer wins
+        surfaces,           ///< only where there is a surface; nothing is written
+        background,         ///< only where there is none; nothing is written
+    };
+    void depth(Depth use);
     void cull_back_faces(bool is_on);
     void mirrored_front_face(bool is_mirrored);
     void encodes_srgb(bool is_on);
@@ -63,7 +70,7 @@ private:
     GLuint vertex_array_ = kUnknown;
     int active_unit_ = -1;
     Extent viewport_{-1, -1};
-    Switch depth_ = Switch::unknown;
+    std::optional<Depth> depth_;
     Switch cull_ = Switch::unknown;
     Switch mirrored_ = Switch::unknown;
     Switch srgb_ = Switch::unknown;

@@ -88,9 +88,10 @@ Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, c
         gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D,
                                 slots[static_cast<size_t>(target.slot)].id(), 0);
     }
-    if (step.depth_slot >= 0)
+    // A tested depth may be sampled by the same step: nothing writes it, so there is no feedback.
+    if (const int depth = step.depth_slot >= 0 ? step.depth_slot : step.tested_depth_slot; depth >= 0)
         gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                                slots[static_cast<size_t>(step.depth_slot)].id(), 0);
+                                slots[static_cast<size_t>(depth)].id(), 0);
     if (buffers.empty())
         buffers.push_back(GL_NONE);
     gl.DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
@@ -105,7 +106,10 @@ Result<Program> obtain_program(Upload& upload, ProgramPool& pool, const PlanObje
 {
     const auto is_taken = [&](const LinkedProgram& program) {
         return std::any_of(objects.steps.begin(), objects.steps.end(),
-                           [&](const StepObjects& other) { return other.program.linked.get() == &program; });
+                           [&](const StepObjects& other) {
+                               return other.program.linked.get() == &program ||
+                                      (other.background && other.background->linked.get() == &program);
+                           });
     };
     std::string key = ProgramPool::key_of(step);
     std::shared_ptr<LinkedProgram> linked = pool.find(key, is_taken);
@@ -131,6 +135,14 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
     StepObjects objects{.framebuffer = std::move(*framebuffer), .program = std::move(*program)};
+    if (!step.background.empty()) {
+        Plan::Step behind = step;
+        behind.fragment = step.background;
+        Result<Program> background = obtain_program(upload, workshop.programs, made, behind);
+        if (!background)
+            return tl::unexpected(std::move(background.error()));
+        objects.background = std::move(*background);
+    }
     for (const Plan::Read& read : step.reads) {
         const GLuint plain = workshop.samplers.get(read.filter, read.wrap, read.wrap, false);
         const bool may_have_levels =
@@ -163,6 +175,7 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
         return tl::unexpected(std::move(errors));
     if (is_timed)
         objects.timing = Timing(upload.driver, plan.steps.size());
+    objects.freshness = Freshness(plan);
     objects.plan = std::move(plan);
     return objects;
 }
@@ -174,7 +187,7 @@ Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& o
     upload.watch.enter(fmt::format("step `{}`", objects.plan.steps[objects.steps.size()].name));
     Result<StepObjects> made = create_step(upload, workshop, objects);
     if (made) {
-        objects.units = std::max(objects.units, made->program.units);
+        objects.units = std::max({objects.units, made->program.units, made->background ? made->background->units : 0});
         objects.steps.push_back(std::move(*made));
         upload.watch.check();
     } else {

@@ -1,10 +1,12 @@
 // A plan's GL objects: its slots, and per step a framebuffer, a program and the samplers it reads through.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <passgraph/core/plan.hpp>
 
+#include "gl/freshness.hpp"
 #include "gl/programs.hpp"
 #include "gl/textures.hpp"
 #include "gl/timing.hpp"
@@ -20,6 +22,7 @@ struct ReadSamplers {
 struct StepObjects {
     FramebufferObject framebuffer;
     Program program;
+    std::optional<Program> background{};  ///< of a step in two parts
     std::vector<ReadSamplers> samplers{}; ///< per read
     bool has_srgb_target = false;
 };
@@ -29,6 +32,7 @@ struct PlanObjects {
     std::vector<TextureObject> slots;
     std::vector<StepObjects> steps;
     Timing timing;
+    Freshness freshness;
     int units = 1; ///< texture units that steps use, and uploads: at least unit 0
 
     bool is_complete() const { return steps.size() == plan.steps.size(); }

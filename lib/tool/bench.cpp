@@ -52,7 +52,7 @@ struct Timed {
 Result<double> draw(Timed& timed, bool is_kept)
 {
     const auto start = std::chrono::steady_clock::now();
-    if (const Result<void> drawn = timed.renderer.render({.time = timed.frame / 60.0, .index = timed.frame}); !drawn)
+    if (const Result<void> drawn = timed.renderer.render({.time = timed.frame / 60.0, .index = timed.frame, .redraws = true}); !drawn)
         return tl::unexpected(drawn.error());
     const std::vector<StepTime> steps = timed.renderer.step_times(); // waits for the frame to finish
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -108,6 +108,8 @@ void CompilerOptions::apply_to(CompileOptions& options) const
     for (const std::string& word : split(off, ',')) {
         if (word == "fuse")
             options.fuse = false;
+        if (word == "specialise")
+            options.specialise = false;
         if (word == "cull")
             options.cull = false;
         if (word == "alias")
@@ -151,7 +153,7 @@ void add_to(CLI::App& command, SourceOptions& options)
 void add_to(CLI::App& command, CompilerOptions& options)
 {
     add_steps(command, "--off", options.off,
-              "Compiler steps to leave out: fuse, cull, alias (specialise, unify and order change nothing in this version)");
+              "Compiler steps to leave out: specialise, fuse, cull, alias (unify and order change nothing in this version)");
 }
 
 void add_to(CLI::App& command, DeviceOptions& options)

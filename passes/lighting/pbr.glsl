@@ -2,6 +2,7 @@
   "pass": "pbr",
   "summary": "Lights the surfaces of a G-buffer: by lamps, by the sky around them, and by what they emit.",
   "reads": ["camera", "lights"],
+  "only_where": "depth",
   "inputs": {
     "albedo": "albedo",
     "material": "material",

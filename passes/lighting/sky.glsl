@@ -4,6 +4,7 @@
   "reads": ["camera"],
   "inputs": { "image": "radiance", "depth": "depth", "sky": { "signal": "radiance", "over": "sphere" } },
   "outputs": { "color": { "signal": "radiance", "size": { "of": "image" } } },
+  "only_where": { "no_depth": "image" },
   "params": { "intensity": { "type": "float", "default": 1, "range": [0, 100] } },
   "source": "Greene 1986, Environment Mapping and Other Applications of World Projections"
 }*/

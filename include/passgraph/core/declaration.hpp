@@ -118,6 +118,10 @@ struct OutputPort {
 
 enum class PassKind : std::uint8_t { image, geometry };
 
+/// Where in the picture a pass does anything: at pixels that geometry covers (its outputs are 0 elsewhere), or at those
+/// it does not cover (elsewhere the pass is one of its inputs).
+enum class OnlyWhere : std::uint8_t { everywhere, depth, no_depth };
+
 /// What the frame offers a pass, beside its inputs.
 struct Reads {
     bool camera = false;
@@ -177,6 +181,8 @@ struct PassDeclaration {
     Reads reads;
     std::string identity_when; ///< a GLSL condition on parameters, or ""
     std::string identity_is;   ///< the input that the pass then is
+    OnlyWhere only_where = OnlyWhere::everywhere;
+    std::string elsewhere; ///< the input that the pass is where only_where does not hold; "": its outputs are 0 there
     GlslText body;
     std::shared_ptr<const GraphDescription> composite; ///< set when the pass is a graph file with ports
 

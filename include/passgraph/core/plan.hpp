@@ -72,6 +72,9 @@ struct Plan {
         std::vector<Uniform> uniforms;
         std::vector<Target> targets;
         int depth_slot = -1; ///< geometry: the depth attachment; -1 for draws
+        /// A draw in two parts: `fragment` where this depth buffer holds a surface, `background` where it holds none.
+        int tested_depth_slot = -1;
+        std::string background;
         Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
         std::string vertex;  ///< complete GLSL 3.30 sources
         std::string fragment;

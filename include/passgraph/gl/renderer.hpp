@@ -24,12 +24,14 @@ struct Frame {
     int index = 0;
     bool is_cut = false;            ///< nothing of the last frame is to be trusted; the first frame always is a cut
     const Camera* camera = nullptr; ///< nullptr: the scene's own
+    bool redraws = false; ///< draws steps anew whose images are there already; for measuring
 };
 
 /// A texture that belongs to the host: 2D or cube, of any color format, complete without mip levels unless it has them.
 struct HostTexture {
     unsigned id = 0;
     Extent extent;
+    std::uint64_t version = 0; ///< another one whenever its contents change; 0: they may have, each frame
 };
 
 /// Milliseconds between the ends of neighbouring steps, as the GL clock saw them in the last finished frame.
@@ -104,7 +106,9 @@ public:
     /// Sets a live parameter ("lit.exposure"). Errors: unknown_param (or one folded into the code), param_out_of_range.
     Result<void> set(std::string_view place, const Value& value);
 
-    /// Draws one frame. Errors: import_missing, scene_missing, gl_error (names the step).
+    /// Draws what the outputs need and the textures do not hold yet: a step runs again when a parameter, the camera, the
+    /// scene, an import or an image that it reads has changed; each frame when it reads the frame or a host's texture.
+    /// Errors   import_missing, scene_missing, gl_error (names the step).
     Result<void> render(const Frame& frame = {});
 
     /// An output's values, decoded from its codec. Shape: the output's extent and its signal's components.

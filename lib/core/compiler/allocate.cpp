@@ -20,6 +20,8 @@ std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& en
             lifetimes[target] = {target, static_cast<int>(time), static_cast<int>(time)};
         for (const ExternalRead& read : external_reads(graph, draw.nodes))
             keep(read.image, time);
+        if (draw.tested_depth)
+            lifetimes.at(*draw.tested_depth).last = static_cast<int>(time);
     }
     // The host reads outputs after the frame.
     for (const GraphOutput& output : graph.outputs)

@@ -14,7 +14,8 @@ Result<Plan> compile(const Graph& graph, const CompileOptions& options)
     const auto whole = derive(*typed);                                      // derive.cpp    what layouts leave out
     const auto encoding = encode(whole);                                    // encode.cpp    stored how
     const auto live = cull(whole, options.cull);                            // cull.cpp      nothing unread
-    const auto draws = fuse(whole, encoding, live, options);                // fuse.cpp      in how few draws
+    const auto fused = fuse(whole, encoding, live, options);                // fuse.cpp      in how few draws
+    const auto draws = split_by_depth(whole, encoding, fused, options.specialise); // split.cpp  where
     const auto order = order_draws(whole, draws);                           // order.cpp     when
     const auto lifetimes = find_lifetimes(whole, encoding, draws, order);   // allocate.cpp  needed from when to when
     const auto slots = allocate(whole, encoding, lifetimes, options.alias); // allocate.cpp  in which memory

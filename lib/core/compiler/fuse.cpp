@@ -53,7 +53,7 @@ public:
                 continue;
             for (const int node : nodes)
                 result.draw_of[static_cast<size_t>(node)] = static_cast<int>(result.draws.size());
-            result.draws.push_back({nodes, stored_images(nodes)});
+            result.draws.push_back({.nodes = nodes, .stored = stored_images(nodes)});
         }
         std::set<std::pair<std::string, std::string>> seen;
         for_each_edge([&](ImageRef image, int reader, int) {

@@ -85,6 +85,7 @@ struct Liveness {
 struct Draw {
     std::vector<int> nodes;
     std::vector<ImageRef> stored;
+    std::optional<TargetRef> tested_depth{}; ///< set: drawn in two parts, by this depth buffer
 };
 
 struct Draws {
@@ -120,6 +121,8 @@ TypedGraph derive(const TypedGraph& graph);
 Encoding encode(const TypedGraph& graph);
 Liveness cull(const TypedGraph& graph, bool is_on);
 Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options);
+/// Sets Draw::tested_depth where passes of a draw do nothing at some pixels.
+Draws split_by_depth(const TypedGraph& graph, const Encoding& encoding, Draws draws, bool is_on);
 Order order_draws(const TypedGraph& graph, const Draws& draws);
 std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& encoding, const Draws& draws,
                                      const Order& order);

@@ -26,7 +26,12 @@ public:
         for (const int node : draw_.nodes)
             add_instance(node);
         add_targets();
+        if (draw_.tested_depth) {
+            step_.tested_depth_slot = slots_.slot_of.at(*draw_.tested_depth);
+            source_.has_background = true;
+        }
         glsl::StepText text = glsl::assemble(source_);
+        step_.background = std::move(text.background);
         step_.vertex = std::move(text.vertex);
         step_.fragment = std::move(text.fragment);
         step_.sources = std::move(text.sources);
@@ -92,6 +97,8 @@ private:
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
         source.is_import = imports_.contains(wire->from);
+        source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
+                                 encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
         for (const Layout::Place& place : encoding_.of(wire->from).places)
             source.pieces.push_back(
                 {sampler_for(wire->from, place.target, port, filter_for(port, image)), place.channels});

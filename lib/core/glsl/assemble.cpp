@@ -11,6 +11,9 @@ namespace {
 
 using Renames = std::vector<std::pair<std::string, std::string>>;
 
+/// The pixels that a fragment stage is for.
+enum class Part { whole, surfaces, background };
+
 std::string prefix_of(int number) { return fmt::format("p{}_", number); }
 
 int seen_components(const InputPort& port) { return info(port.signal).components; }
@@ -46,13 +49,16 @@ std::string texture_value(const InputSource& source, std::string_view function, 
     return value;
 }
 
-void add_image_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name)
+void add_image_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name,
+                        Part part)
 {
     const std::string_view type = glsl_type(seen_components(port));
     const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
     const auto add = [&](const std::string& suffix, const std::string& parameters, std::string_view function,
                          std::string_view place) {
-        const std::string whole = source.kind == InputSource::Kind::value     ? source.name
+        const bool is_known = part == Part::background && source.is_tested_depth;
+        const std::string whole = is_known                                    ? "0.0"
+                                  : source.kind == InputSource::Kind::value   ? source.name
                                   : source.kind == InputSource::Kind::texture ? texture_value(source, function, place)
                                                                               : constant_value(port);
         const bool is_wide = source.kind != InputSource::Kind::constant && drops_alpha;
@@ -93,7 +99,7 @@ void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSo
                                        : "0.0"));
 }
 
-void add_inputs(ProgramText& text, const Instance& instance, Renames& renames)
+void add_inputs(ProgramText& text, const Instance& instance, Renames& renames, Part part)
 {
     const std::string prefix = prefix_of(instance.number);
     for (size_t i = 0; i < instance.pass->inputs.size(); ++i) {
@@ -112,7 +118,7 @@ void add_inputs(ProgramText& text, const Instance& instance, Renames& renames)
             rename("_size");
             if (port.has_levels)
                 rename("_lod");
-            add_image_accessor(text, port, instance.inputs[i], prefix + port.name);
+            add_image_accessor(text, port, instance.inputs[i], prefix + port.name, part);
         }
     }
 }
@@ -157,10 +163,34 @@ std::string guarded_output(const Instance& instance, size_t output, const std::s
                            carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value);
 }
 
-/// Evaluates one pass into its file-scope values.
-void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
+/// The pass does nothing at the part's pixels.
+bool is_idle(const PassDeclaration& pass, Part part)
+{
+    return (part == Part::background && pass.only_where == OnlyWhere::depth) ||
+           (part == Part::surfaces && pass.only_where == OnlyWhere::no_depth);
+}
+
+/// What a pass is at pixels where it does nothing: the input it names, or 0.
+void add_idle_values(ProgramText& text, const Instance& instance)
 {
     const PassDeclaration& pass = *instance.pass;
+    for (size_t i = 0; i < pass.outputs.size(); ++i) {
+        const std::string value = pass.elsewhere.empty()
+                                      ? fmt::format("{}(0.0)", glsl_type(info(instance.signals[i]).components))
+                                      : fmt::format("{}{}(uv)", prefix_of(instance.number), pass.elsewhere);
+        text.add_line(fmt::format("    {} = {};", value_name(instance, i),
+                                  pass.elsewhere.empty() ? value : guarded_output(instance, i, value)));
+    }
+}
+
+/// Evaluates one pass into its file-scope values.
+void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind, Part part)
+{
+    const PassDeclaration& pass = *instance.pass;
+    if (is_idle(pass, part)) {
+        add_idle_values(text, instance);
+        return;
+    }
     const std::string prefix = prefix_of(instance.number);
     if (kind == PassKind::image && pass.outputs.size() == 1) {
         text.add_line(fmt::format("    {} = {};", value_name(instance, 0),
@@ -188,12 +218,12 @@ void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind)
     }
 }
 
-void add_instance(ProgramText& text, const Instance& instance)
+void add_instance(ProgramText& text, const Instance& instance, Part part)
 {
     Renames renames;
     for (size_t i = 0; i < instance.pass->outputs.size(); ++i)
         text.add_line(fmt::format("{} {};", glsl_type(info(instance.signals[i]).components), value_name(instance, i)));
-    add_inputs(text, instance, renames);
+    add_inputs(text, instance, renames, part);
     add_settings(text, instance, renames);
     text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
 }
@@ -213,7 +243,7 @@ void add_target(ProgramText& text, const std::vector<StoredValue>& values, size_
                                   std::string_view("rgba").substr(stored.first_code, stored.channels.size())));
 }
 
-std::string fragment_text(const StepSource& step, std::vector<std::string>& sources)
+std::string fragment_text(const StepSource& step, std::vector<std::string>& sources, Part part)
 {
     ProgramText text(sources);
     text.add_line("#version 330 core");
@@ -228,10 +258,10 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     text.add(accessors(step.reads, step.kind));
     text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
     for (const Instance& instance : step.instances)
-        add_instance(text, instance);
+        add_instance(text, instance, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
     for (const Instance& instance : step.instances)
-        add_evaluation(text, instance, step.kind);
+        add_evaluation(text, instance, step.kind, part);
     for (size_t i = 0; i < step.targets.size(); ++i)
         add_target(text, step.targets[i], i);
     text.add_line("}");
@@ -326,7 +356,9 @@ StepText assemble(const StepSource& step)
 {
     StepText text;
     text.vertex = step.kind == PassKind::geometry ? geometry_vertex_text(step, text.sources) : kFullScreenVertex;
-    text.fragment = fragment_text(step, text.sources);
+    text.fragment = fragment_text(step, text.sources, step.has_background ? Part::surfaces : Part::whole);
+    if (step.has_background)
+        text.background = fragment_text(step, text.sources, Part::background);
     return text;
 }
 

@@ -25,6 +25,7 @@ struct InputSource {
     Codec codec;                      ///< texture
     Extent extent;
     bool is_import = false; ///< guarded where read
+    bool is_tested_depth = false; ///< 0 in the background part
 };
 
 /// One pass of a step. `number` makes its names unique: functions pN_name, values vN_output.
@@ -58,11 +59,13 @@ struct StepSource {
     std::vector<std::vector<StoredValue>> targets; ///< by location: everything that stands there
     Reads reads;
     PassKind kind = PassKind::image;
+    bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
 };
 
 struct StepText {
     std::string vertex;
     std::string fragment;
+    std::string background;           ///< the fragment stage where there is no surface; "" for draws of one part
     std::vector<std::string> sources; ///< by #line source number
 };
 

@@ -1,0 +1,136 @@
+// Which steps of a plan must run.
+#include "gl/freshness.hpp"
+
+#include <algorithm>
+
+namespace passgraph::gl {
+namespace {
+
+/// The slots a step draws into.
+std::vector<int> slots_of(const Plan::Step& step)
+{
+    std::vector<int> slots;
+    for (const Plan::Target& target : step.targets)
+        slots.push_back(target.slot);
+    if (step.depth_slot >= 0)
+        slots.push_back(step.depth_slot);
+    return slots;
+}
+
+bool draws_into(const Plan::Step& step, int slot)
+{
+    const std::vector<int> slots = slots_of(step);
+    return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+/// The last step before `reader` that draws into the slot; -1: none.
+int producer_of(const Plan& plan, int slot, size_t reader)
+{
+    for (size_t i = reader; i-- > 0;)
+        if (draws_into(plan.steps[i], slot))
+            return static_cast<int>(i);
+    return -1;
+}
+
+/// Nothing that it depends on can change.
+bool is_constant(const Plan::Step& step)
+{
+    const Reads& host = step.host;
+    return step.kind == Plan::Step::Kind::draw && step.reads.empty() && step.uniforms.empty() && !host.camera &&
+           !host.lights && !host.frame && !host.elements;
+}
+
+} // namespace
+
+/// Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators": a mixer without fixed pattern.
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value)
+{
+    hash += 0x9e3779b97f4a7c15u + value;
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    return hash ^ (hash >> 31);
+}
+
+Freshness::Freshness(const Plan& plan) : held_(plan.slots.size(), 0), wanted_(plan.steps.size(), 0)
+{
+    for (size_t i = 0; i < plan.steps.size(); ++i) {
+        std::vector<int>& producers = producers_.emplace_back();
+        for (const Plan::Read& read : plan.steps[i].reads)
+            producers.push_back(read.source == Plan::Read::Source::slot ? producer_of(plan, read.index, i) : -1);
+    }
+}
+
+std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, bool redraws)
+{
+    const size_t count = plan.steps.size();
+    for (size_t i = 0; i < count; ++i) {
+        const Plan::Step& step = plan.steps[i];
+        std::uint64_t& wanted = wanted_[i] = mixed(i + 1, versions.params[i]);
+        if (step.host.camera || step.host.lights || step.host.elements)
+            wanted = mixed(mixed(wanted, versions.camera), versions.scene);
+        if (step.host.frame)
+            wanted = mixed(wanted, versions.frame);
+        for (size_t r = 0; r < step.reads.size(); ++r) {
+            const int producer = producers_[i][r];
+            if (producer >= 0)
+                wanted = mixed(wanted, wanted_[static_cast<size_t>(producer)]);
+            else if (step.reads[r].source == Plan::Read::Source::import)
+                wanted = mixed(wanted, versions.imports[static_cast<size_t>(step.reads[r].index)]);
+        }
+    }
+    const auto holds_it = [&](size_t i) {
+        const std::vector<int> slots = slots_of(plan.steps[i]);
+        return std::all_of(slots.begin(), slots.end(),
+                           [&](int slot) { return held_[static_cast<size_t>(slot)] == wanted_[i]; });
+    };
+    std::vector<bool> runs(count, false);
+    for (size_t i = 0; redraws && i < count; ++i)
+        runs[i] = !is_constant(plan.steps[i]) || !holds_it(i);
+    for (const Plan::Output& output : plan.outputs)
+        for (const Plan::Output::Place& place : output.places)
+            if (const int producer = producer_of(plan, place.index, count);
+                output.source == Plan::Read::Source::slot && producer >= 0 && !holds_it(static_cast<size_t>(producer)))
+                runs[static_cast<size_t>(producer)] = true;
+    // A step that runs needs what it reads: held, and not overwritten by a step that runs in between.
+    bool is_changed = true;
+    while (is_changed) {
+        is_changed = false;
+        for (size_t i = count; i-- > 0;) {
+            for (size_t r = 0; runs[i] && r < plan.steps[i].reads.size(); ++r) {
+                if (producers_[i][r] < 0 || runs[static_cast<size_t>(producers_[i][r])])
+                    continue;
+                const auto producer = static_cast<size_t>(producers_[i][r]);
+                const int slot = plan.steps[i].reads[r].index;
+                bool is_lost = !holds_it(producer);
+                for (size_t other = 0; other < i; ++other)
+                    is_lost = is_lost || (runs[other] && draws_into(plan.steps[other], slot));
+                if (is_lost)
+                    runs[producer] = is_changed = true;
+            }
+        }
+        // An output that is held may be overwritten too, before the frame's end.
+        for (const Plan::Output& output : plan.outputs) {
+            for (const Plan::Output::Place& place : output.places) {
+                const int producer = output.source == Plan::Read::Source::slot ? producer_of(plan, place.index, count) : -1;
+                for (size_t other = 0; producer >= 0 && other < count; ++other) {
+                    if (!runs[other] || runs[static_cast<size_t>(producer)] || !draws_into(plan.steps[other], place.index))
+                        continue;
+                    runs[static_cast<size_t>(producer)] = is_changed = true;
+                }
+            }
+        }
+    }
+    return runs;
+}
+
+void Freshness::have_run(const Plan& plan, const std::vector<bool>& ran)
+{
+    for (size_t i = 0; i < plan.steps.size(); ++i)
+        if (ran[i])
+            for (const int slot : slots_of(plan.steps[i]))
+                held_[static_cast<size_t>(slot)] = wanted_[i];
+}
+
+void Freshness::forget() { std::fill(held_.begin(), held_.end(), 0); }
+
+} // namespace passgraph::gl

@@ -1,0 +1,47 @@
+// Which steps of a plan must run, because what they would draw is not there yet.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <passgraph/core/plan.hpp>
+
+namespace passgraph::gl {
+
+/// Another value for every pair, and without a pattern.
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value);
+
+/// What a frame's steps depend on beside each other, each as a number that changes when the thing does.
+struct Versions {
+    std::uint64_t camera = 0;
+    std::uint64_t scene = 0;
+    std::uint64_t frame = 0;              ///< another each frame
+    std::vector<std::uint64_t> imports{}; ///< by import
+    std::vector<std::uint64_t> params{};  ///< by step: of its live parameters' values
+};
+
+/// Remembers what each slot holds.
+///
+/// A step is asked for when an output's slot, or the slot that a running step reads, holds anything else than what the
+/// step would draw now; a producer whose image another running step overwrites is asked for again.  O(steps * reads).
+class Freshness {
+public:
+    Freshness() = default;
+    explicit Freshness(const Plan& plan);
+
+    /// Which steps must run, in the plan's order. `redraws`: all, but for steps that nothing can change.
+    std::vector<bool> stale(const Plan& plan, const Versions& versions, bool redraws);
+
+    /// The steps that `stale` asked for have run: their slots hold what it wanted.
+    void have_run(const Plan& plan, const std::vector<bool>& ran);
+
+    /// Nothing is known of any slot.
+    void forget();
+
+private:
+    std::vector<std::uint64_t> held_;        ///< by slot; 0: unknown
+    std::vector<std::uint64_t> wanted_;      ///< by step, of the last `stale`
+    std::vector<std::vector<int>> producers_; ///< by step and read: the step that draws it, -1 for imports
+};
+
+} // namespace passgraph::gl
