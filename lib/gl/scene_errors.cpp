@@ -38,7 +38,8 @@ void check_materials(const Scene& scene, Errors& errors)
 {
     for (const Material& material : scene.materials)
         for (const int texture :
-             {material.base_color_texture, material.metallic_roughness_texture, material.emissive_texture})
+             {material.base_color_texture, material.metallic_roughness_texture, material.emissive_texture,
+              material.specular_texture})
             if (texture != -1 && !is_index(texture, scene.textures.size()))
                 malformed(errors, fmt::format("material `{}` has texture {} of {}", material.name, texture,
                                               scene.textures.size()));

@@ -285,15 +285,16 @@ TEST_CASE("a scene whose indices point outside is refused, naming each", "[gl][g
     scene.textures = {{"small", {1, 1}, {1, 2, 3}, Wrap::repeat, Wrap::repeat, false},
                       {"huge", {1 << 20, 1}, {}, Wrap::repeat, Wrap::repeat, false}};
     scene.materials[0].emissive_texture = 2;
+    scene.materials[0].specular_texture = -2;
     scene.meshes[0].indices.push_back(4);
     scene.meshes.push_back(square(1));
     place(scene, 2, glm::mat4(1.0f));
     const Result<void> result = renderer.set_scene(scene);
     CHECK(codes(result) == std::vector<std::string>{"scene_malformed", "scene_malformed", "scene_malformed",
-                                                    "scene_malformed", "scene_malformed", "texture_too_large",
-                                                    "scene_malformed"});
-    CHECK(result.error()[5].fault == Fault::machine);
-    CHECK(result.error()[5].message.find("`huge`") != std::string::npos);
+                                                    "scene_malformed", "scene_malformed", "scene_malformed",
+                                                    "texture_too_large", "scene_malformed"});
+    CHECK(result.error()[6].fault == Fault::machine);
+    CHECK(result.error()[6].message.find("`huge`") != std::string::npos);
     CHECK(codes(renderer.render()) == std::vector<std::string>{"scene_missing"});
 }
 
