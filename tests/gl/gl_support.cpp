@@ -324,6 +324,7 @@ Plan constant_plan(Extent extent, const std::string& color)
     PlanBuilder builder(extent);
     const int slot = builder.slot(Format::rgba32f, "fill.color");
     builder.draw("fill", "layout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n", {slot});
+    builder.plan.steps.back().host.frame = true; // drawn each frame
     builder.output("color", slot, Signal::radiance, "rgba32f");
     return builder.plan;
 }

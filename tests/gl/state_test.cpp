@@ -280,7 +280,7 @@ TEST_CASE("steps that share state do not set it again", "[gl][state]")
         require_ok(renderer.render());
         spy().calls.clear();
         const Renderer::Counters before = renderer.counters();
-        require_ok(renderer.render());
+        require_ok(renderer.render({.redraws = true}));
         const Renderer::Counters after = renderer.counters();
         return std::tuple(spy().calls, after.state_changes - before.state_changes,
                           after.redundant_state_changes - before.redundant_state_changes);
@@ -306,6 +306,8 @@ TEST_CASE("values and blocks are sent when they change, not before", "[gl][state
         .draw("fill", "uniform float gain;\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(gain); }\n",
               {slot})
         .uniforms = {{"gain", "fill.gain", ParamType::float_, Value(1.0), 0.0, 4.0}};
+    builder.plan.outputs.push_back({"color", "image", Plan::Read::Source::slot, {{slot, "rgba"}}, Signal::radiance,
+                                    *find_codec(Signal::radiance, "rgba32f"), {2, 2}});
     reset_spy();
     Scene scene = wall();
     Renderer renderer = make_renderer(builder.plan, {.loader = spying_loader()});
