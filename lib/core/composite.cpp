@@ -26,6 +26,7 @@ void declare_ports(PassDeclaration& pass, const GraphDescription& description, c
         port.name = input.name;
         port.signal = input.signal;
         port.where = input.where;
+        port.is_optional = input.is_optional;
         port.over = input.kind == GraphNode::Kind::cube    ? Over::sphere
                     : input.kind == GraphNode::Kind::scene ? Over::scene
                                                            : Over::image;
@@ -134,7 +135,8 @@ std::vector<NamedImage> match_inputs(const PassDeclaration& pass, const PassArgu
         if (std::any_of(images.begin(), images.end(),
                         [&](const NamedImage& image) { return image.first == port.name; }))
             continue;
-        graph.report({"input_missing",
+        if (!port.is_optional)
+            graph.report({"input_missing",
                       fmt::format("{} ({}): the input `{}` is not wired", arguments.name, pass.name, port.name),
                       fmt::format("wire an image of signal {} to it", info(port.signal).name), arguments.where});
         images.emplace_back(port.name, ImageRef{});
@@ -222,18 +224,27 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
             return image.node < 0 ? image : ImageRef{moved[static_cast<size_t>(image.node)], image.output};
         for (const auto& [name, outside] : images)
             if (name == inside.nodes()[static_cast<size_t>(image.node)].name)
-                return outside.node >= 0 && nodes_[static_cast<size_t>(outside.node)].kind == GraphNode::Kind::scene
+                return inside.nodes()[static_cast<size_t>(image.node)].kind == GraphNode::Kind::scene
                            ? ImageRef{outside.node, image.output} // a scene's sky is the outer scene's
                            : outside;
         return ImageRef{};
+    };
+    const auto is_unwired_option = [&](const GraphNode& node) {
+        const int port = node.kind == GraphNode::Kind::pass ? -1 : pass->find_input(node.name);
+        return port >= 0 && pass->inputs[static_cast<size_t>(port)].is_optional &&
+               std::none_of(images.begin(), images.end(),
+                            [&](const NamedImage& image) { return image.first == node.name && image.second.node >= 0; });
     };
     for (size_t i = 0; i < inside.nodes().size(); ++i) {
         GraphNode node = inside.nodes()[i];
         if (node.kind != GraphNode::Kind::pass)
             continue;
-        for (auto& wire : node.inputs)
-            if (wire)
-                wire = Wire{here(wire->from), arguments.where};
+        for (auto& wire : node.inputs) {
+            if (!wire)
+                continue;
+            const bool is_left_out = is_unwired_option(inside.nodes()[static_cast<size_t>(wire->from.node)]);
+            wire = is_left_out ? std::nullopt : std::optional(Wire{here(wire->from), arguments.where});
+        }
         if (node.size_of)
             node.size_of = here(*node.size_of);
         fold_statics(node, arguments, inside);
