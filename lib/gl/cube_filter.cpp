@@ -2,8 +2,10 @@
 #include "gl/cube_filter.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <thread>
 
@@ -229,7 +231,27 @@ CubeFaces filtered(int size, const std::vector<LobeSample>& lobe, const std::vec
     return faces;
 }
 
+/// The nearest binary16, to even, as a binary32. Some drivers truncate on upload, which would darken each level by half a unit.
+float nearest_half(float x)
+{
+    constexpr float kSmallestNormal = 6.103515625e-05f;
+    constexpr float kPerSubnormal = 16777216.0f;
+    if (!(std::abs(x) >= kSmallestNormal))
+        return std::nearbyint(x * kPerSubnormal) / kPerSubnormal;
+    auto bits = std::bit_cast<std::uint32_t>(x);
+    bits += 0xfffu + ((bits >> 13) & 1u); // 13 bits fewer
+    return std::clamp(std::bit_cast<float>(bits & ~0x1fffu), -65504.0f, 65504.0f);
+}
+
 } // namespace
+
+CubeFaces rounded_to_half(CubeFaces faces)
+{
+    for (Picture& face : faces)
+        for (float& texel : face.texels)
+            texel = nearest_half(texel);
+    return faces;
+}
 
 int prefiltered_levels(int size)
 {

@@ -32,11 +32,14 @@ int prefiltered_levels(int size);
 ///          Shading with Filtered Importance Sampling" (a sample reads the level whose texel is as wide as it is).
 std::vector<CubeFaces> prefiltered(const CubeFaces& faces);
 
+/// The same faces with every value the nearest that binary16 has, so that no driver's own rounding takes part.
+CubeFaces rounded_to_half(CubeFaces faces);
+
 /// Irradiance under the sky, for a plane facing d, projected onto harmonics of degree 2.
 ///
 /// Range    for a constant sky of radiance L exactly pi L, within binary32's rounding, whatever the size of its faces.
-///          Degree 4 is left out: a sky that is one small lamp of irradiance E comes out within 0.0625 E, a sky of clouds and
-///          ground within 1 %.
+///          Even degrees from 4 on are left out: a sky that is one small lamp of irradiance E comes out within 0.094 E, one
+///          of clouds and ground within 1 % of its brightest side.
 /// Errors   none.
 /// Cost     one visit per texel of faces reduced to at most 64.
 /// Source   Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", eq. 10 to 13.

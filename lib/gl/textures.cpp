@@ -127,9 +127,9 @@ Cube create_cube(Upload& upload, const CubeFaces& faces)
                           of_level[i].texels.data());
     };
     const std::vector<CubeFaces> rough = prefiltered(faces);
-    store(0, faces);
+    store(0, rounded_to_half(faces));
     for (size_t i = 0; i < rough.size(); ++i)
-        store(static_cast<GLint>(i + 1), rough[i]);
+        store(static_cast<GLint>(i + 1), rounded_to_half(rough[i]));
     set_reading(gl, GL_TEXTURE_CUBE_MAP, true);
     gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(rough.size()));
     gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);

@@ -154,16 +154,36 @@ glm::vec4 cone_texel(const Light& light, const glm::dmat3& rotation)
     return {glm::vec3(axis * (scale / length)), static_cast<float>(-outer * scale)};
 }
 
+namespace {
+
+bool is_finite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What a scene file refuses, a host may still hand over: a light that is nowhere or has no color shines not at all.
+bool is_off(const Light& light)
+{
+    const bool is_near = light.kind != Light::Kind::directional;
+    return !is_finite(light.color) || (is_near ? !is_finite(light.position) || !(light.radius > 0.0f) ||
+                                                     !is_finite(light.direction)
+                                               : !(glm::length(light.direction) > 0.0f) || !is_finite(light.direction));
+}
+
+} // namespace
+
 std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)
 {
     std::vector<glm::vec4> texels;
     texels.reserve(scene.lights.size() * glsl::kLightTexels);
     for (const Light& light : scene.lights) {
+        if (is_off(light)) {
+            texels.insert(texels.end(), {glm::vec4(0.0f), glm::vec4(0.0f), {0.0f, 0.0f, 0.0f, 1.0f}});
+            continue;
+        }
         const bool is_near = light.kind != Light::Kind::directional;
-        const bool is_off = is_near && !(light.radius > 0.0f);
         const glm::dvec3 place = is_near ? glm::dvec3(light.position) - view.position : -glm::dvec3(light.direction);
-        texels.emplace_back(is_off ? glm::vec3(0.0f) : light.color,
-                            is_near && !is_off ? per_radius_squared(light.radius) : 0.0f);
+        texels.emplace_back(light.color, is_near ? per_radius_squared(light.radius) : 0.0f);
         texels.emplace_back(glm::vec3(view.rotation * place), is_near ? 1.0f : 0.0f);
         texels.push_back(cone_texel(light, view.rotation));
     }

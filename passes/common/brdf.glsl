@@ -32,8 +32,10 @@ const float smallest_roughness = 0.045;
 /// What a surface's material says to the functions below; independent of the light.
 struct Surface {
     vec3 diffuse;        ///< Lambert's albedo / pi, weighted by what the specular layer lets in and out towards v
-    vec3 f0;             ///< reflectance at normal incidence
-    float dielectric_f0; ///< of the part that is not metal
+    vec3 f0;             ///< reflectance at normal incidence, of metal and dielectric mixed
+    vec3 metal_f0;
+    float dielectric_f0;
+    float metallic;
     float alpha_squared;
     float n_dot_v;  ///< at least 1e-4
     float v_hidden; ///< n.v Lambda(v), what facets hide from the viewer
@@ -95,6 +97,8 @@ Surface make_surface(vec3 albedo, vec3 material, float n_dot_v, Terms terms)
     surface.n_dot_v = n_dot_v > 1e-4 ? min(n_dot_v, 1.0) : 1e-4;
     surface.alpha_squared = alpha * alpha;
     surface.v_hidden = hidden_of(terms, surface.n_dot_v, surface.alpha_squared);
+    surface.metallic = metallic;
+    surface.metal_f0 = base;
     surface.f0 = mix(vec3(surface.dielectric_f0), base, metallic);
     // Light enters once and leaves once: (1 - F(n.l)) (1 - F(n.v)) never gives out what the lobe above reflects already.
     // Schlick's 1 - F(x) = (1 - f0) (1 - weight(x)) leaves only 1 - weight(n.l) to the light.
@@ -106,12 +110,15 @@ Surface make_surface(vec3 albedo, vec3 material, float n_dot_v, Terms terms)
     return surface;
 }
 
-/// F at the facet, per channel.
+/// F at the facet, per channel. Schlick's is linear in f0, so metal and dielectric may be mixed before; the exact one is not:
+/// half of each reflects half of what each does, or it would give out more than arrives.
 vec3 fresnel_of(Surface surface, float v_dot_h, Terms terms)
 {
     if (terms.edge == fresnel_of_dielectrics)
-        return vec3(fresnel_exact(surface.f0.x, v_dot_h), fresnel_exact(surface.f0.y, v_dot_h),
-                    fresnel_exact(surface.f0.z, v_dot_h));
+        return mix(vec3(fresnel_exact(surface.dielectric_f0, v_dot_h)),
+                   vec3(fresnel_exact(surface.metal_f0.x, v_dot_h), fresnel_exact(surface.metal_f0.y, v_dot_h),
+                        fresnel_exact(surface.metal_f0.z, v_dot_h)),
+                   surface.metallic);
     return surface.f0 + (vec3(1.0) - surface.f0) * fresnel_weight(v_dot_h, terms.power);
 }
 

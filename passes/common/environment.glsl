@@ -77,7 +77,8 @@ vec2 environment_reflectance(float n_dot_v, float roughness, Terms terms)
     }
     // The midpoints' weights 3 s^2 sum to 1 - 1 / (4 rings^2): divided by what they sum to.
     float weights = float(around) * float(rings) * (1.0 / 3.0 - 1.0 / (12.0 * float(rings) * float(rings)));
-    return sum / weights;
+    sum /= weights;
+    return sum / max(sum.x + sum.y, 1.0); // no geometry term gives more than arrives; a sum may, by its own error
 }
 
 /// The level of a prefiltered sky that was made for a roughness: levels are equally far apart in roughness, from a mirror's at

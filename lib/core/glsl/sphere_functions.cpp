@@ -17,7 +17,7 @@ std::string_view sphere_functions()
     return min(levels, max(levels - 2.0, 3.0));
 }
 // Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", eq. 13, its constants folded
-// into the coefficients. Nine harmonics leave out 2 % of what a narrow light adds, and may go below 0 opposite to one.
+// into the coefficients. Nine harmonics may go below 0 where a narrow light sets.
 vec3 passgraph_irradiance(vec3 c[9], vec3 d)
 {
     vec3 e = c[0] + c[1] * d.y + c[2] * d.z + c[3] * d.x + c[4] * (d.x * d.y) + c[5] * (d.y * d.z) +
