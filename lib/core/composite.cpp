@@ -205,6 +205,49 @@ void check_statics(const PassDeclaration& pass, const PassArguments& arguments, 
                           suggest(name, names_of(pass.params), "parameters"), where});
 }
 
+/// Where the images of a composite's inside are in the graph that uses it.
+struct Expansion {
+    const PassDeclaration& pass;
+    const Graph& inside;
+    const std::vector<NamedImage>& images; ///< wired to the ports
+    std::vector<int> moved;                ///< by inner node: its index outside, -1 while it has none
+
+    const GraphNode& inner(ImageRef image) const { return inside.nodes()[static_cast<size_t>(image.node)]; }
+
+    ImageRef outside(ImageRef image) const
+    {
+        if (image.node < 0)
+            return image;
+        if (inner(image).kind == GraphNode::Kind::pass)
+            return {moved[static_cast<size_t>(image.node)], image.output};
+        for (const auto& [name, wired] : images)
+            if (name == inner(image).name) // a scene's sky is the outer scene's
+                return inner(image).kind == GraphNode::Kind::scene ? ImageRef{wired.node, image.output} : wired;
+        return {};
+    }
+
+    /// True for an optional port to which nothing is wired.
+    bool is_left_out(ImageRef image) const
+    {
+        const int port = inner(image).kind == GraphNode::Kind::pass ? -1 : pass.find_input(inner(image).name);
+        return port >= 0 && pass.inputs[static_cast<size_t>(port)].is_optional && outside(image).node < 0;
+    }
+};
+
+/// Parameters that the composite routes are known by its own name for them, the others by their place inside.
+void publish_params(GraphNode& node, const std::string& composite, const Graph& inside)
+{
+    std::vector<std::string> places;
+    for (size_t i = 0; i < node.params.size(); ++i) {
+        const std::string place = node.place_of(i);
+        const auto route = std::find_if(inside.params().begin(), inside.params().end(), [&](const GraphParam& param) {
+            return std::find(param.places.begin(), param.places.end(), place) != param.places.end();
+        });
+        places.push_back(fmt::format("{}.{}", composite, route == inside.params().end() ? place : route->name));
+    }
+    node.public_places = std::move(places);
+}
+
 } // namespace
 
 AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
@@ -218,45 +261,29 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
                 fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
                 "scale its input instead, with a pass such as downsample", arguments.where});
 
-    std::vector<int> moved(inside.nodes().size(), -1);
-    const auto here = [&](ImageRef image) {
-        if (image.node < 0 || inside.nodes()[static_cast<size_t>(image.node)].kind == GraphNode::Kind::pass)
-            return image.node < 0 ? image : ImageRef{moved[static_cast<size_t>(image.node)], image.output};
-        for (const auto& [name, outside] : images)
-            if (name == inside.nodes()[static_cast<size_t>(image.node)].name)
-                return inside.nodes()[static_cast<size_t>(image.node)].kind == GraphNode::Kind::scene
-                           ? ImageRef{outside.node, image.output} // a scene's sky is the outer scene's
-                           : outside;
-        return ImageRef{};
-    };
-    const auto is_unwired_option = [&](const GraphNode& node) {
-        const int port = node.kind == GraphNode::Kind::pass ? -1 : pass->find_input(node.name);
-        return port >= 0 && pass->inputs[static_cast<size_t>(port)].is_optional &&
-               std::none_of(images.begin(), images.end(),
-                            [&](const NamedImage& image) { return image.first == node.name && image.second.node >= 0; });
-    };
+    Expansion expansion{*pass, inside, images, std::vector<int>(inside.nodes().size(), -1)};
     for (size_t i = 0; i < inside.nodes().size(); ++i) {
         GraphNode node = inside.nodes()[i];
         if (node.kind != GraphNode::Kind::pass)
             continue;
-        for (auto& wire : node.inputs) {
-            if (!wire)
-                continue;
-            const bool is_left_out = is_unwired_option(inside.nodes()[static_cast<size_t>(wire->from.node)]);
-            wire = is_left_out ? std::nullopt : std::optional(Wire{here(wire->from), arguments.where});
-        }
+        for (auto& wire : node.inputs)
+            if (wire)
+                wire = expansion.is_left_out(wire->from)
+                           ? std::nullopt
+                           : std::optional(Wire{expansion.outside(wire->from), arguments.where});
         if (node.size_of)
-            node.size_of = here(*node.size_of);
+            node.size_of = expansion.outside(*node.size_of);
         fold_statics(node, arguments, inside);
+        publish_params(node, arguments.name, inside);
         node.name = fmt::format("{}.{}", arguments.name, node.name);
         node.where = arguments.where; // what is wrong with it now is the use's fault: inside it was checked
-        moved[i] = static_cast<int>(nodes_.size());
+        expansion.moved[i] = static_cast<int>(nodes_.size());
         nodes_.push_back(std::move(node));
     }
 
     std::vector<NamedImage> outputs;
     for (const GraphOutput& output : inside.outputs())
-        outputs.emplace_back(output.name, here(output.from));
+        outputs.emplace_back(output.name, expansion.outside(output.from));
     route_codecs(*pass, arguments, outputs, nodes_, errors_);
     // The settings of a composite stay settable under its own name.
     for (const GraphParam& route : inside.params()) {

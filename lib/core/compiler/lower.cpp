@@ -66,7 +66,7 @@ private:
         for (size_t i = 0; i < node.pass->params.size(); ++i) {
             const Param& param = node.pass->params[i];
             if (!node.is_static[i])
-                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), public_place(node.name + "." + param.name),
+                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.place_of(i),
                                           param.type, node.params[i], param.lowest, param.highest});
         }
         source_.kind = node.pass->kind;
@@ -75,17 +75,6 @@ private:
         step_.passes.push_back(node.name);
         instance_of_[node_index] = instance.number;
         source_.instances.push_back(std::move(instance));
-    }
-
-    /// The name under which people know a parameter inside a composite: the outermost composite's own. Inner routes stand
-    /// before outer ones; a graph's own names, which have no dot, are another layer.
-    std::string public_place(std::string place) const
-    {
-        for (const GraphParam& route : graph_.graph->params())
-            if (route.name.find('.') != std::string::npos &&
-                std::find(route.places.begin(), route.places.end(), place) != route.places.end())
-                place = route.name;
-        return place;
     }
 
     glsl::InputSource input_source(const GraphNode& node, size_t index)
