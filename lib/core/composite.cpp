@@ -209,6 +209,7 @@ void check_statics(const PassDeclaration& pass, const PassArguments& arguments, 
 struct Expansion {
     const PassDeclaration& pass;
     const Graph& inside;
+    const std::vector<GraphNode>& around;  ///< of the graph that uses it
     const std::vector<NamedImage>& images; ///< wired to the ports
     std::vector<int> moved;                ///< by inner node: its index outside, -1 while it has none
 
@@ -220,9 +221,13 @@ struct Expansion {
             return image;
         if (inner(image).kind == GraphNode::Kind::pass)
             return {moved[static_cast<size_t>(image.node)], image.output};
-        for (const auto& [name, wired] : images)
-            if (name == inner(image).name) // a scene's sky is the outer scene's
-                return inner(image).kind == GraphNode::Kind::scene ? ImageRef{wired.node, image.output} : wired;
+        for (const auto& [name, wired] : images) {
+            if (name != inner(image).name)
+                continue;
+            const bool is_scene = inner(image).kind == GraphNode::Kind::scene && wired.node >= 0 &&
+                                  around[static_cast<size_t>(wired.node)].kind == GraphNode::Kind::scene;
+            return is_scene ? ImageRef{wired.node, image.output} : wired; // a scene's sky is the outer scene's
+        }
         return {};
     }
 
@@ -233,6 +238,15 @@ struct Expansion {
         return port >= 0 && pass.inputs[static_cast<size_t>(port)].is_optional && outside(image).node < 0;
     }
 };
+
+/// Where a use wires the port that an inner node stands for; the use itself for what it does not wire.
+Location place_of_wire(const PassArguments& arguments, const GraphNode& inner)
+{
+    for (const PassArguments::Input& input : arguments.inputs)
+        if (inner.kind != GraphNode::Kind::pass && input.name == inner.name)
+            return input.where;
+    return arguments.where;
+}
 
 /// Parameters that the composite routes are known by its own name for them, the others by their place inside.
 void publish_params(GraphNode& node, const std::string& composite, const Graph& inside)
@@ -261,7 +275,7 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
                 fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
                 "scale its input instead, with a pass such as downsample", arguments.where});
 
-    Expansion expansion{*pass, inside, images, std::vector<int>(inside.nodes().size(), -1)};
+    Expansion expansion{*pass, inside, nodes_, images, std::vector<int>(inside.nodes().size(), -1)};
     for (size_t i = 0; i < inside.nodes().size(); ++i) {
         GraphNode node = inside.nodes()[i];
         if (node.kind != GraphNode::Kind::pass)
@@ -270,7 +284,7 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
             if (wire)
                 wire = expansion.is_left_out(wire->from)
                            ? std::nullopt
-                           : std::optional(Wire{expansion.outside(wire->from), arguments.where});
+                           : std::optional(Wire{expansion.outside(wire->from), place_of_wire(arguments, expansion.inner(wire->from))});
         if (node.size_of)
             node.size_of = expansion.outside(*node.size_of);
         fold_statics(node, arguments, inside);
