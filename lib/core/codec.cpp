@@ -133,6 +133,7 @@ const std::vector<Codec>& codecs_of(Signal signal)
     static const std::vector<Codec> mask = {{"r8", r8}, {"r16f", r16f}, {"r32f", r32f}};
     static const std::vector<Codec> velocity = {{"rg16f", rg16f}, {"rg32f", rg32f}};
     static const std::vector<Codec> exposure = {{"r32f", r32f}};
+    static const std::vector<Codec> reflectance = {{"rg16", rg16}, {"rg16f", rg16f}, {"rg32f", rg32f}};
     switch (signal) {
     case Signal::radiance:
     case Signal::color:
@@ -161,6 +162,8 @@ const std::vector<Codec>& codecs_of(Signal signal)
         return velocity;
     case Signal::exposure:
         return exposure;
+    case Signal::reflectance:
+        return reflectance;
     }
     return radiance;
 }

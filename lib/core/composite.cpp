@@ -26,6 +26,7 @@ void declare_ports(PassDeclaration& pass, const GraphDescription& description, c
         port.name = input.name;
         port.signal = input.signal;
         port.where = input.where;
+        port.is_optional = input.is_optional;
         port.over = input.kind == GraphNode::Kind::cube    ? Over::sphere
                     : input.kind == GraphNode::Kind::scene ? Over::scene
                                                            : Over::image;
@@ -134,7 +135,8 @@ std::vector<NamedImage> match_inputs(const PassDeclaration& pass, const PassArgu
         if (std::any_of(images.begin(), images.end(),
                         [&](const NamedImage& image) { return image.first == port.name; }))
             continue;
-        graph.report({"input_missing",
+        if (!port.is_optional)
+            graph.report({"input_missing",
                       fmt::format("{} ({}): the input `{}` is not wired", arguments.name, pass.name, port.name),
                       fmt::format("wire an image of signal {} to it", info(port.signal).name), arguments.where});
         images.emplace_back(port.name, ImageRef{});
@@ -203,6 +205,63 @@ void check_statics(const PassDeclaration& pass, const PassArguments& arguments, 
                           suggest(name, names_of(pass.params), "parameters"), where});
 }
 
+/// Where the images of a composite's inside are in the graph that uses it.
+struct Expansion {
+    const PassDeclaration& pass;
+    const Graph& inside;
+    const std::vector<GraphNode>& around;  ///< of the graph that uses it
+    const std::vector<NamedImage>& images; ///< wired to the ports
+    std::vector<int> moved;                ///< by inner node: its index outside, -1 while it has none
+
+    const GraphNode& inner(ImageRef image) const { return inside.nodes()[static_cast<size_t>(image.node)]; }
+
+    ImageRef outside(ImageRef image) const
+    {
+        if (image.node < 0)
+            return image;
+        if (inner(image).kind == GraphNode::Kind::pass)
+            return {moved[static_cast<size_t>(image.node)], image.output};
+        for (const auto& [name, wired] : images) {
+            if (name != inner(image).name)
+                continue;
+            const bool is_scene = inner(image).kind == GraphNode::Kind::scene && wired.node >= 0 &&
+                                  around[static_cast<size_t>(wired.node)].kind == GraphNode::Kind::scene;
+            return is_scene ? ImageRef{wired.node, image.output} : wired; // a scene's sky is the outer scene's
+        }
+        return {};
+    }
+
+    /// True for an optional port to which nothing is wired.
+    bool is_left_out(ImageRef image) const
+    {
+        const int port = inner(image).kind == GraphNode::Kind::pass ? -1 : pass.find_input(inner(image).name);
+        return port >= 0 && pass.inputs[static_cast<size_t>(port)].is_optional && outside(image).node < 0;
+    }
+};
+
+/// Where a use wires the port that an inner node stands for; the use itself for what it does not wire.
+Location place_of_wire(const PassArguments& arguments, const GraphNode& inner)
+{
+    for (const PassArguments::Input& input : arguments.inputs)
+        if (inner.kind != GraphNode::Kind::pass && input.name == inner.name)
+            return input.where;
+    return arguments.where;
+}
+
+/// Parameters that the composite routes are known by its own name for them, the others by their place inside.
+void publish_params(GraphNode& node, const std::string& composite, const Graph& inside)
+{
+    std::vector<std::string> places;
+    for (size_t i = 0; i < node.params.size(); ++i) {
+        const std::string place = node.place_of(i);
+        const auto route = std::find_if(inside.params().begin(), inside.params().end(), [&](const GraphParam& param) {
+            return std::find(param.places.begin(), param.places.end(), place) != param.places.end();
+        });
+        places.push_back(fmt::format("{}.{}", composite, route == inside.params().end() ? place : route->name));
+    }
+    node.public_places = std::move(places);
+}
+
 } // namespace
 
 AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
@@ -216,36 +275,29 @@ AddedPass Graph::add_composite(const PassPtr& pass, PassArguments arguments)
                 fmt::format("{} ({}) is a composite: its passes choose their extents", arguments.name, pass->name),
                 "scale its input instead, with a pass such as downsample", arguments.where});
 
-    std::vector<int> moved(inside.nodes().size(), -1);
-    const auto here = [&](ImageRef image) {
-        if (image.node < 0 || inside.nodes()[static_cast<size_t>(image.node)].kind == GraphNode::Kind::pass)
-            return image.node < 0 ? image : ImageRef{moved[static_cast<size_t>(image.node)], image.output};
-        for (const auto& [name, outside] : images)
-            if (name == inside.nodes()[static_cast<size_t>(image.node)].name)
-                return outside.node >= 0 && nodes_[static_cast<size_t>(outside.node)].kind == GraphNode::Kind::scene
-                           ? ImageRef{outside.node, image.output} // a scene's sky is the outer scene's
-                           : outside;
-        return ImageRef{};
-    };
+    Expansion expansion{*pass, inside, nodes_, images, std::vector<int>(inside.nodes().size(), -1)};
     for (size_t i = 0; i < inside.nodes().size(); ++i) {
         GraphNode node = inside.nodes()[i];
         if (node.kind != GraphNode::Kind::pass)
             continue;
         for (auto& wire : node.inputs)
             if (wire)
-                wire = Wire{here(wire->from), arguments.where};
+                wire = expansion.is_left_out(wire->from)
+                           ? std::nullopt
+                           : std::optional(Wire{expansion.outside(wire->from), place_of_wire(arguments, expansion.inner(wire->from))});
         if (node.size_of)
-            node.size_of = here(*node.size_of);
+            node.size_of = expansion.outside(*node.size_of);
         fold_statics(node, arguments, inside);
+        publish_params(node, arguments.name, inside);
         node.name = fmt::format("{}.{}", arguments.name, node.name);
         node.where = arguments.where; // what is wrong with it now is the use's fault: inside it was checked
-        moved[i] = static_cast<int>(nodes_.size());
+        expansion.moved[i] = static_cast<int>(nodes_.size());
         nodes_.push_back(std::move(node));
     }
 
     std::vector<NamedImage> outputs;
     for (const GraphOutput& output : inside.outputs())
-        outputs.emplace_back(output.name, here(output.from));
+        outputs.emplace_back(output.name, expansion.outside(output.from));
     route_codecs(*pass, arguments, outputs, nodes_, errors_);
     // The settings of a composite stay settable under its own name.
     for (const GraphParam& route : inside.params()) {

@@ -159,6 +159,11 @@ void Graph::output(std::string name, AnyImage image, Location where)
     outputs_.push_back({std::move(name), image.ref(), std::move(where)});
 }
 
+std::string GraphNode::place_of(size_t param) const
+{
+    return public_places.empty() ? fmt::format("{}.{}", name, pass->params[param].name) : public_places[param];
+}
+
 int Graph::find_node(std::string_view name) const
 {
     for (size_t i = 0; i < nodes_.size(); ++i)

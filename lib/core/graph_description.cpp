@@ -78,6 +78,11 @@ private:
             const Json* kind = fields.find("kind", Json::Kind::string);
             const Json* over = fields.find("over", Json::Kind::string);
             signal_name = fields.find("signal", Json::Kind::string);
+            const Json* optional = fields.find("optional", Json::Kind::boolean);
+            input.is_optional = optional && optional->boolean;
+            if (input.is_optional && graph_.composite_name.empty())
+                errors_.push_back({"optional_unused", fmt::format("input `{}` of a graph cannot be optional", member.key),
+                                   "only a composite's can: give the file a \"pass\" name", optional->where});
             fields.finish();
             if (kind && kind->string == "scene") {
                 input.kind = GraphNode::Kind::scene;

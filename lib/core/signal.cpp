@@ -31,6 +31,7 @@ const std::vector<SignalInfo>& table()
         {mask, "mask", "coverage or occlusion", "1", 1, zero_to_cap, 1.0f, false, false},
         {velocity, "velocity", "movement since the last frame", "texels", 2, finite, kLargestHalf, false, false},
         {exposure, "exposure", "a multiplier of radiance", "1", 1, positive, kLargestHalf, false, false},
+        {reflectance, "reflectance", "of uniform light: f0 * x + y", "1", 2, zero_to_cap, 1.0f, false, false},
         {color, "color", "generic: radiance or display, with or without alpha", "as given", 3, zero_to_cap,
          kLargestHalf, false, false},
     };

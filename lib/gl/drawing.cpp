@@ -6,12 +6,20 @@
 namespace passgraph::gl {
 namespace {
 
-/// The cube a sky import stands for: the host's own, else the scene's, else black.
-GLuint sky_texture(const DrawInputs& inputs, const ImportTexture& import)
+/// A cube map as a step reads it.
+struct CubeRead {
+    GLuint texture = 0;
+    const Harmonics* harmonics = nullptr;
+};
+
+/// The cube a sky import stands for is the host's own, else the scene's, else black.
+CubeRead cube_of(const DrawInputs& inputs, const ImportTexture& import)
 {
-    if (import.id != 0)
-        return import.id;
-    return inputs.scene != nullptr && inputs.scene->sky ? inputs.scene->sky.id() : inputs.black_cube;
+    if (import.id != 0 || import.import.kind != Plan::Import::Kind::sky)
+        return {import.id, &import.harmonics};
+    const bool has_sky = inputs.scene != nullptr && inputs.scene->sky.texture;
+    const Cube& cube = has_sky ? inputs.scene->sky : inputs.black_cube;
+    return {cube.texture.id(), &cube.harmonics};
 }
 
 /// The scene's atlas that an import stands for; its signal tells which.
@@ -28,22 +36,25 @@ void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObje
     for (size_t i = 0; i < step.reads.size(); ++i) {
         const Plan::Read& read = step.reads[i];
         const int unit = program.read_units[i];
+        const bool is_import = read.source == Plan::Read::Source::import;
+        const ImportTexture* import = is_import ? &inputs.imports[read.index] : nullptr;
+        const CubeRead cube = import && import->is_cube() ? cube_of(inputs, *import) : CubeRead{};
+        if (cube.harmonics)
+            send_harmonics(inputs.gl, program, i, *cube.harmonics);
         if (unit < 0)
             continue;
-        if (read.source == Plan::Read::Source::slot) {
+        if (!import) {
             inputs.state.texture(unit, GL_TEXTURE_2D, inputs.slots[static_cast<size_t>(read.index)].id());
             inputs.state.sampler(unit, objects.samplers[i].plain);
             continue;
         }
-        const ImportTexture& import = inputs.imports[read.index];
-        if (import.import.kind == Plan::Import::Kind::atlas) {
-            inputs.state.texture(unit, GL_TEXTURE_2D, atlas_texture(inputs, import.import));
+        if (import->import.kind == Plan::Import::Kind::atlas) {
+            inputs.state.texture(unit, GL_TEXTURE_2D, atlas_texture(inputs, import->import));
             inputs.state.sampler(unit, objects.samplers[i].plain);
             continue;
         }
-        const bool is_sky = import.import.kind == Plan::Import::Kind::sky;
-        const bool has_levels = import.has_levels || (is_sky && import.id == 0);
-        inputs.state.texture(unit, import.target(), is_sky ? sky_texture(inputs, import) : import.id);
+        const bool has_levels = import->has_levels || (cube.harmonics && import->id == 0);
+        inputs.state.texture(unit, import->target(), cube.harmonics ? cube.texture : import->id);
         inputs.state.sampler(unit, has_levels ? objects.samplers[i].with_levels : objects.samplers[i].plain);
     }
 }

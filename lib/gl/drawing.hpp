@@ -16,7 +16,7 @@ struct DrawInputs {
     const Imports& imports;
     const SceneBuffers* scene; ///< nullptr: no scene was set, and no step needs one
     GLuint empty_vertex_array;
-    GLuint black_cube;
+    const Cube& black_cube; ///< a sky that is not there
     bool only_warms_up = false; ///< draws into one pixel: the driver compiles, and nothing is seen
 };
 

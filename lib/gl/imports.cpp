@@ -71,6 +71,7 @@ void Imports::adopt(Upload& upload, Imports&& old)
             texture.owned = std::move(candidate.owned);
             texture.has_levels = candidate.has_levels;
             texture.version = candidate.version;
+            texture.harmonics = candidate.harmonics;
             if (texture.owned && texture.wants_levels && !texture.has_levels) {
                 add_levels(upload, texture.id);
                 texture.has_levels = true;
@@ -145,12 +146,13 @@ Result<void> Imports::set_cube(Upload& upload, std::string_view name, const std:
     if (!rgba)
         return tl::unexpected(rgba.error());
     upload.watch.enter(fmt::format("import `{}`", name));
-    TextureObject made = create_cube(upload, *rgba);
+    Cube made = create_cube(upload, *rgba);
     upload.watch.check();
     upload.watch.leave();
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));
-    texture.owned = std::move(made);
+    texture.owned = std::move(made.texture);
+    texture.harmonics = made.harmonics;
     texture.id = texture.owned.id();
     texture.version = next_version();
     texture.has_levels = true;

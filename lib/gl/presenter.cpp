@@ -34,7 +34,8 @@ std::string_view scale_of(Signal signal)
     case Signal::display_alpha: return "v.rgb";
     case Signal::normal: return "v * 0.5 + 0.5";
     case Signal::depth: return "vec3(v > 0.0 ? 1.0 / v : 3.4e38)";
-    case Signal::atlas_uv: return "vec3(v, 0.0)";
+    case Signal::atlas_uv:
+    case Signal::reflectance: return "vec3(v, 0.0)";
     case Signal::velocity: return "vec3(v / 64.0 + 0.5, 0.5)";
     case Signal::exposure: return "vec3(v / (1.0 + v))";
     case Signal::mask: return "vec3(v)";

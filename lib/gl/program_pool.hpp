@@ -10,6 +10,7 @@
 
 #include <passgraph/core/plan.hpp>
 
+#include "gl/cube_filter.hpp"
 #include "gl/objects.hpp"
 
 namespace passgraph::gl {
@@ -18,6 +19,7 @@ namespace passgraph::gl {
 struct LinkedProgram {
     ProgramObject object;
     std::vector<std::optional<Value>> sent; ///< per uniform of the step
+    std::vector<std::optional<Harmonics>> harmonics_sent; ///< per read of the step
 };
 
 /// Keeps programs alive beyond their plans: the latest kMostPrograms, and those that a plan uses anyway.

@@ -113,6 +113,7 @@ Result<std::shared_ptr<LinkedProgram>> link_program(Driver& driver, const Plan::
     auto linked = std::make_shared<LinkedProgram>();
     linked->object = std::move(*object);
     linked->sent.resize(step.uniforms.size());
+    linked->harmonics_sent.resize(step.reads.size());
     return linked;
 }
 
@@ -131,8 +132,10 @@ Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& ste
     program.linked = std::move(linked);
     const GLuint id = program.id();
     state.use_program(id);
-    for (const Plan::Read& read : step.reads)
+    for (const Plan::Read& read : step.reads) {
         program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str()));
+        program.harmonics.push_back(gl.GetUniformLocation(id, glsl::harmonics_name(read.sampler).c_str()));
+    }
     program.scene.lights = assign_unit(gl, program, glsl::kLightsBuffer);
     program.scene.atlas_albedo = assign_unit(gl, program, glsl::kAtlasAlbedo);
     program.scene.atlas_material = assign_unit(gl, program, glsl::kAtlasMaterial);
@@ -161,6 +164,18 @@ std::uint64_t version_of(const std::vector<LiveUniform>& uniforms)
         for (const double component : uniform.value.v)
             version = mixed(version, std::bit_cast<std::uint64_t>(component));
     return version;
+}
+
+void send_harmonics(const Functions& gl, const Program& program, size_t read, const Harmonics& harmonics)
+{
+    const GLint location = program.harmonics[read];
+    if (location < 0)
+        return;
+    std::vector<std::optional<Harmonics>>& sent = program.linked->harmonics_sent;
+    if (sent[read] == harmonics)
+        return;
+    sent[read] = harmonics;
+    gl.Uniform3fv(location, glsl::kHarmonics, &harmonics[0].x);
 }
 
 void send_uniforms(const Functions& gl, Program& program)

@@ -7,6 +7,7 @@
 
 #include <passgraph/core/plan.hpp>
 
+#include "gl/cube_filter.hpp"
 #include "gl/program_pool.hpp"
 #include "gl/state.hpp"
 
@@ -30,6 +31,7 @@ struct SceneUnits {
 struct Program {
     std::shared_ptr<LinkedProgram> linked;
     std::vector<int> read_units;       ///< per read of the step; -1 when the code never fetches it
+    std::vector<GLint> harmonics;      ///< per read: where a cube's irradiance goes; -1 when the code never asks for it
     std::vector<LiveUniform> uniforms; ///< per uniform of the step
     SceneUnits scene;
     GLint element_location = -1;
@@ -52,6 +54,9 @@ Result<Program> create_program(Driver& driver, State& state, const Plan::Step& s
 
 /// A number that changes when one of the values does.
 std::uint64_t version_of(const std::vector<LiveUniform>& uniforms);
+
+/// Sends the irradiance of the cube that a read reads to the program, which is the current one, unless it is there already.
+void send_harmonics(const Functions& gl, const Program& program, size_t read, const Harmonics& harmonics);
 
 /// Sends changed values to the program, which is the current one.
 void send_uniforms(const Functions& gl, Program& program);

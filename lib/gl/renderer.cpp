@@ -114,7 +114,7 @@ gl::DrawInputs Renderer::Impl::draw_inputs(const std::vector<gl::TextureObject>&
             imports,
             scene_buffers_ ? &*scene_buffers_ : nullptr,
             empty_vertex_array_.id(),
-            black_cube_.id()};
+            black_cube_};
 }
 
 gl::Versions Renderer::Impl::versions() const

@@ -70,7 +70,7 @@ private:
     std::optional<gl::FrameBlocks> blocks_;
     std::optional<gl::Reader> reader_;
     gl::VertexArrayObject empty_vertex_array_;
-    gl::TextureObject black_cube_;
+    gl::Cube black_cube_;
     std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
     std::uint64_t camera_version_ = 0;
     std::uint64_t scene_version_ = 0;

@@ -47,7 +47,7 @@ struct SceneBuffers {
     AtlasTextures atlas;
     Atlas places;                          ///< without texels: where each material stands in the atlas
     std::vector<ElementDraw> draws;        ///< neighbours share as much state as possible; the same order every time
-    TextureObject sky;                     ///< empty when the scene has none
+    Cube sky;                              ///< empty when the scene has none
     std::vector<glm::vec4> element_rows;   ///< glsl::kElementRows per element, as the camera sees them
     std::vector<glm::vec4> element_levels; ///< glsl::kAtlasLevelCount per element
     BufferTexture lights;

@@ -115,20 +115,25 @@ void add_levels(Upload& upload, GLuint texture)
     upload.driver.gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
-TextureObject create_cube(Upload& upload, const std::array<Picture, 6>& faces)
+Cube create_cube(Upload& upload, const CubeFaces& faces)
 {
-    TextureObject texture(upload.driver);
-    upload.state.edit_texture(GL_TEXTURE_CUBE_MAP, texture.id());
+    Cube cube{TextureObject(upload.driver), irradiance_harmonics(faces)};
+    upload.state.edit_texture(GL_TEXTURE_CUBE_MAP, cube.texture.id());
     const Functions& gl = upload.driver.gl;
-    for (size_t i = 0; i < faces.size(); ++i) {
-        assert(faces[i].channels == 4);
-        gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0, GL_RGBA16F, faces[i].extent.width,
-                      faces[i].extent.height, 0, GL_RGBA, GL_FLOAT, faces[i].texels.data());
-    }
+    const auto store = [&](GLint level, const CubeFaces& of_level) {
+        for (size_t i = 0; i < of_level.size(); ++i)
+            gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), level, GL_RGBA16F,
+                          of_level[i].extent.width, of_level[i].extent.height, 0, GL_RGBA, GL_FLOAT,
+                          of_level[i].texels.data());
+    };
+    const std::vector<CubeFaces> rough = prefiltered(faces);
+    store(0, rounded_to_half(faces));
+    for (size_t i = 0; i < rough.size(); ++i)
+        store(static_cast<GLint>(i + 1), rounded_to_half(rough[i]));
     set_reading(gl, GL_TEXTURE_CUBE_MAP, true);
+    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(rough.size()));
     gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
-    gl.GenerateMipmap(GL_TEXTURE_CUBE_MAP);
-    return texture;
+    return cube;
 }
 
 TextureObject create_filled(Upload& upload, Format format, Extent extent, const void* texels)

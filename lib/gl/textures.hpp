@@ -8,6 +8,7 @@
 #include <passgraph/core/codec.hpp>
 #include <passgraph/core/declaration.hpp>
 
+#include "gl/cube_filter.hpp"
 #include "gl/error_watch.hpp"
 #include "gl/state.hpp"
 
@@ -33,8 +34,15 @@ void fill_picture(Upload& upload, GLuint texture, const Picture& rgba, bool has_
 /// Gives a texture of one level all of them.
 void add_levels(Upload& upload, GLuint texture);
 
-/// A binary16 cube map with all levels. Shape: six square faces of 4 channels, row 0 first in OpenGL's orientation.
-TextureObject create_cube(Upload& upload, const std::array<Picture, 6>& faces);
+/// A cube map, and the irradiance under it as a sky.
+struct Cube {
+    TextureObject texture;
+    Harmonics harmonics{};
+};
+
+/// A binary16 cube map whose levels are filtered for rough reflections (cube_filter.hpp).
+/// Shape    six square faces of 4 channels, row 0 first in OpenGL's orientation.
+Cube create_cube(Upload& upload, const CubeFaces& faces);
 
 /// A texture of one level whose texels are uploaded as they lie: RGBA of bytes, or of halves for rgba16f.
 TextureObject create_filled(Upload& upload, Format format, Extent extent, const void* texels);

@@ -133,14 +133,59 @@ std::vector<glm::vec4> element_levels(const Scene& scene, const Atlas& atlas)
     return levels;
 }
 
+float per_radius_squared(float radius)
+{
+    // Of the square as binary32 rounds it, and up by a few units: d = r then gives a product of at least 1 in a shader, even
+    // one whose d * d has rounded down twice.
+    const double squared = static_cast<double>(radius * radius);
+    return static_cast<float>((1.0 + 4.0 / 16777216.0) / squared);
+}
+
+glm::vec4 cone_texel(const Light& light, const glm::dmat3& rotation)
+{
+    const glm::dvec3 axis = rotation * glm::dvec3(light.direction);
+    const double length = glm::length(axis);
+    if (light.kind != Light::Kind::spot || !(length > 0.0)) // without an axis there is no cone: it shines all around
+        return {0.0f, 0.0f, 0.0f, 1.0f};
+    const double inner = std::cos(static_cast<double>(std::min(light.inner_angle, light.outer_angle)));
+    const double outer = std::cos(static_cast<double>(light.outer_angle));
+    // A sharp edge is 1e-4 wide in the cosine, outwards from nothing at the outer angle: binary32 tells 600 steps of it.
+    const double scale = 1.0 / std::max(inner - outer, 1e-4);
+    return {glm::vec3(axis * (scale / length)), static_cast<float>(-outer * scale)};
+}
+
+namespace {
+
+bool is_finite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What a scene file refuses, a host may still hand over: a light that is nowhere or has no color shines not at all.
+bool is_off(const Light& light)
+{
+    const bool is_near = light.kind != Light::Kind::directional;
+    return !is_finite(light.color) || (is_near ? !is_finite(light.position) || !(light.radius > 0.0f) ||
+                                                     !is_finite(light.direction)
+                                               : !(glm::length(light.direction) > 0.0f) || !is_finite(light.direction));
+}
+
+} // namespace
+
 std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)
 {
     std::vector<glm::vec4> texels;
     texels.reserve(scene.lights.size() * glsl::kLightTexels);
     for (const Light& light : scene.lights) {
-        texels.emplace_back(light.color, light.kind == Light::Kind::point ? 1.0f : 0.0f);
-        texels.emplace_back(glm::vec3(view.rotation * glm::dvec3(light.direction)), light.radius);
-        texels.emplace_back(glm::vec3(view.rotation * (glm::dvec3(light.position) - view.position)), 0.0f);
+        if (is_off(light)) {
+            texels.insert(texels.end(), {glm::vec4(0.0f), glm::vec4(0.0f), {0.0f, 0.0f, 0.0f, 1.0f}});
+            continue;
+        }
+        const bool is_near = light.kind != Light::Kind::directional;
+        const glm::dvec3 place = is_near ? glm::dvec3(light.position) - view.position : -glm::dvec3(light.direction);
+        texels.emplace_back(light.color, is_near ? per_radius_squared(light.radius) : 0.0f);
+        texels.emplace_back(glm::vec3(view.rotation * place), is_near ? 1.0f : 0.0f);
+        texels.push_back(cone_texel(light, view.rotation));
     }
     return texels;
 }

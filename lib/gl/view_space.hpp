@@ -42,6 +42,13 @@ std::vector<glm::vec4> element_rows(const Scene& scene, const Atlas& atlas, cons
 /// Shape    glsl::kAtlasLevelCount rectangles per element, the last level repeated.
 std::vector<glm::vec4> element_levels(const Scene& scene, const Atlas& atlas);
 
+/// 1 / radius^2, rounded up so that the product with any square of binary32 that reaches radius^2 reaches 1.
+/// Range    radius > 0; infinite where the square underflows, which leaves the light without reach.
+float per_radius_squared(float radius);
+
+/// What the cone of a light leaves of it: glsl::kLightTexels' third texel.
+glm::vec4 cone_texel(const Light& light, const glm::dmat3& rotation);
+
 /// Shape    glsl::kLightTexels RGBA texels per light of the scene.
 std::vector<glm::vec4> light_texels(const Scene& scene, const View& view);
 

@@ -38,6 +38,33 @@ void read_point(JsonFields& fields, Light& light, Errors& errors)
         light.radius = number_in(fields, "radius", 1.0f, {0.0, kLargest, true}, errors);
 }
 
+/// Half a cone's opening, from its axis: degrees in the file, radians in the light.
+float read_angle(JsonFields& fields, std::string_view key, Errors& errors)
+{
+    constexpr double kHalfTurn = 180.0;
+    return static_cast<float>(
+        glm::radians(static_cast<double>(number_in(fields, key, 0.0f, {0.0, kHalfTurn}, errors))));
+}
+
+void read_spot(JsonFields& fields, Light& light, Errors& errors)
+{
+    read_point(fields, light, errors);
+    read_directional(fields, light, errors);
+    light.kind = Light::Kind::spot;
+    light.inner_angle = read_angle(fields, "inner_angle_degrees", errors);
+    if (!fields.require("outer_angle_degrees", Json::Kind::number))
+        return;
+    light.outer_angle = read_angle(fields, "outer_angle_degrees", errors);
+    if (light.outer_angle < light.inner_angle)
+        out_of_range(*fields.find("outer_angle_degrees"),
+                     fmt::format("light: \"outer_angle_degrees\" is less than \"inner_angle_degrees\", {}",
+                                 fields.find("inner_angle_degrees")->number),
+                     errors, "light fades from the inner angle to the outer; equal angles give a sharp edge");
+    if (light.outer_angle == 0.0f && fields.find("outer_angle_degrees")->number == 0.0)
+        out_of_range(*fields.find("outer_angle_degrees"), "light: a cone of 0 degrees lets no light out", errors,
+                     "angles are measured from the axis, so 30 is a cone that opens 60 degrees");
+}
+
 } // namespace
 
 Light read_light(const Json& json, std::string fallback_name, Errors& errors)
@@ -55,9 +82,11 @@ Light read_light(const Json& json, std::string fallback_name, Errors& errors)
         read_directional(fields, light, errors);
     } else if (kind->string == "point") {
         read_point(fields, light, errors);
+    } else if (kind->string == "spot") {
+        read_spot(fields, light, errors);
     } else {
         out_of_range(*kind, fmt::format("light: \"kind\" is \"{}\"", kind->string), errors,
-                     suggest(kind->string, {"directional", "point"}, "kinds"));
+                     suggest(kind->string, {"directional", "point", "spot"}, "kinds"));
         return light;
     }
     fields.finish();

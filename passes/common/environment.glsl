@@ -1,27 +1,89 @@
 // How a surface reflects light that comes from everywhere, a sky, without integrating over it.
+#include "brdf.glsl"
+#include "distribution.glsl"
+#include "fresnel.glsl"
+#include "masking.glsl"
+#include "saturated.glsl"
 
-/// The share of a uniformly bright environment that a rough surface reflects is f0 * x + y; x + y never exceeds 1.
-/// The split is that of Lazarov 2013, "Getting More Physical in Call of Duty: Black Ops II". His and Karis's fits are for
-/// a darker visibility term than ours, by up to 0.28 at n.v >= 0.1; these two polynomials are our own, fitted to the
-/// integral of ggx_lobe over 40 x 33 roughnesses and angles with the least largest error: 0.05 for n.v >= 0.04.
-vec2 environment_reflectance(float roughness, float n_dot_v)
+/// Where the split-sum table keeps a surface, in uv of `size` texels: its first and last texels' centers are the ends of the
+/// ranges. Along x the square root of n.v, because the lobe's share bends where n.v nears 0; along y roughness.
+vec2 reflectance_place(float n_dot_v, float roughness, vec2 size)
 {
-    float r = roughness;
-    float v = n_dot_v;
-    float x = 1.0 - v;
-    float x2 = x * x;
-    // What f0 = 1 loses to light that microfacets block, and what f0 = 0 gains from Schlick's edge.
-    float loss = r * (0.4315 + r * (0.4396 * r - 0.7341) + v * (1.1771 * r - 0.4201 * v - 0.1525));
-    float edge = x2 * x2 * x * (1.0651 + r * (1.312 * r - 2.4318) + v * (0.3982 * r - 3.7876 * v + 1.4367));
-    float total = 1.0 - clamp(loss, 0.0, 1.0);
-    float bias = clamp(edge, 0.0, total);
-    return vec2(total - bias, bias);
+    return (vec2(sqrt(n_dot_v), roughness) * (size - 1.0) + 0.5) / size;
 }
 
-/// The level of a cube map in which one texel covers the solid angle of a specular lobe.
-/// Colbert and Krivanek 2007, "GPU-Based Importance Sampling" (GPU Gems 3, chapter 20): lod = log2(lobe / texel) / 2.
-/// The lobe's solid angle is one over its peak density 1 / (4 pi alpha^2); the top level's texel is a face, 4 pi / 6.
-float environment_lod(float alpha_squared, float top_lod)
+/// The surface that a place of the table stands for: n.v and roughness.
+vec2 reflectance_surface(vec2 uv, vec2 size)
 {
-    return clamp(top_lod + 0.5 * log2(6.0 * alpha_squared), 0.0, top_lod);
+    vec2 place = (uv * size - 0.5) / (size - 1.0);
+    return vec2(max(place.x * place.x, 1e-4), clamp(place.y, smallest_roughness, 1.0));
+}
+
+/// The half vector, of any length, at a place `u`, `turn` of the unit square: facets as the viewer sees them, GGX.
+/// Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps". `seen` is the viewer as the facets' sphere
+/// sees it, normalize(alpha v.x, alpha v.y, v.z).
+vec3 visible_facet(vec3 seen, float alpha, float u, float turn)
+{
+    float z = 1.0 - u * (1.0 + seen.z);
+    float r = sqrt(max(1.0 - z * z, 0.0));
+    vec3 h = vec3(r * cos(6.28318530717958648 * turn), r * sin(6.28318530717958648 * turn), z) + seen;
+    return vec3(alpha * h.xy, h.z);
+}
+
+/// The share of a uniformly bright environment that a rough surface reflects is f0 * x + y; x + y never exceeds 1.
+/// Karis 2013, "Real Shading in Unreal Engine 4", "Environment BRDF", from the same terms as lamps are lit by.
+///
+/// A fixed quadrature of 64 x 16 half vectors: 64 midpoints from the lobe's center outwards, denser where it ends at the
+/// horizon (u = 1 - s^3), and for each 16 around the circle, every ring turned by the golden section against the one before.
+/// Against the integral in double: 3e-4 for Smith's geometry, 4e-3 for Cook and Torrance's, whose G has kinks.
+/// Visible facets are seen with density D G1(v) / (4 n.v), which leaves V n.l 4 n.v / G1(v) of the integrand; Beckmann's
+/// density takes the place of GGX's by their ratio, at most 4 / e.
+vec2 environment_reflectance(float n_dot_v, float roughness, Terms terms)
+{
+    const int rings = 64;
+    const int around = 16;
+    float alpha = roughness * roughness;
+    float alpha_squared = alpha * alpha;
+    vec3 v = vec3(sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v)), 0.0, n_dot_v);
+    vec3 seen = normalize(vec3(alpha * v.xy, v.z));
+    float per_masking = n_dot_v + ggx_hidden(n_dot_v, alpha_squared); // n.v / G1(v)
+    float v_hidden = hidden_of(terms, n_dot_v, alpha_squared);
+    vec2 sum = vec2(0.0);
+    for (int ring = 0; ring < rings; ++ring) {
+        float s = 1.0 - (float(ring) + 0.5) / float(rings);
+        float turn = fract(0.5 + 0.618033988749894848 * float(ring));
+        vec2 of_ring = vec2(0.0);
+        for (int i = 0; i < around; ++i) {
+            vec3 h = visible_facet(seen, alpha, 1.0 - s * s * s, (turn + float(i)) / float(around));
+            float h_squared = dot(h, h);
+            float per_h = inversesqrt(h_squared);
+            float v_dot_h = dot(v, h) * per_h;
+            float n_dot_h = h.z * per_h;
+            float n_dot_l = 2.0 * v_dot_h * n_dot_h - n_dot_v;
+            if (n_dot_l <= 0.0 || v_dot_h <= 0.0)
+                continue;
+            float share = 4.0 * per_masking * n_dot_l *
+                          visibility_of(terms, n_dot_l, n_dot_v, n_dot_h, v_dot_h,
+                                        hidden_of(terms, n_dot_l, alpha_squared), v_hidden);
+            if (terms.facets == distribution_of_beckmann) {
+                float across = dot(h.xy, h.xy);
+                share *= beckmann_distribution(h.z * h.z, across, h_squared, alpha_squared) /
+                         ggx_distribution(h.z * h.z, across, h_squared, alpha_squared);
+            }
+            float edge = fresnel_weight(v_dot_h, terms.power);
+            of_ring += share * vec2(1.0 - edge, edge);
+        }
+        sum += s * s * of_ring;
+    }
+    // The midpoints' weights 3 s^2 sum to 1 - 1 / (4 rings^2): divided by what they sum to.
+    float weights = float(around) * float(rings) * (1.0 / 3.0 - 1.0 / (12.0 * float(rings) * float(rings)));
+    sum /= weights;
+    return sum / max(sum.x + sum.y, 1.0); // no geometry term gives more than arrives; a sum may, by its own error
+}
+
+/// The level of a prefiltered sky that was made for a roughness: levels are equally far apart in roughness, from a mirror's at
+/// 0 to a roughness of 1 at the top.
+float environment_lod(float roughness, float top_lod)
+{
+    return saturated(roughness) * top_lod;
 }

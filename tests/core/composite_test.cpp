@@ -218,3 +218,39 @@ TEST_CASE("a composite may hand an input straight through", "[core][composite]")
     CHECK(plan.steps.empty());
     CHECK(plan.outputs.front().source == Plan::Read::Source::import);
 }
+
+TEST_CASE("an optional input of a composite may stay unwired, and its readers do without", "[core][composite]")
+{
+    const PassLibrary library = builtin_passes();
+    const std::string head = R"({ "passgraph": 1, "inputs": { "a": "albedo", "m": "material", "n": "normal", "p": "position", "e": "radiance" },
+  "passes": { "lit": { "pass": "pbr", "inputs": { "albedo": "a", "material": "m", "normal": "n", "position": "p")";
+    const std::string tail = R"( } } }, "outputs": { "color": "lit" } })";
+    const Plan bare = planned(built(head + tail, library));
+    CHECK(bare.imports.size() == 4);
+    const Plan glowing = planned(built(head + R"(, "emissive": "e")" + tail, library));
+    CHECK(glowing.imports.size() == 5);
+    const PassPtr pbr = library.find("pbr");
+    CHECK(pbr->inputs[static_cast<size_t>(pbr->find_input("sky"))].is_optional);
+    CHECK_FALSE(pbr->inputs[static_cast<size_t>(pbr->find_input("albedo"))].is_optional);
+    // A graph that is no composite has nobody to leave an input out.
+    const auto graph = read_graph_description(R"({ "passgraph": 1, "inputs": { "a": { "signal": "radiance", "optional": true } },
+  "passes": { "b": { "pass": "bright", "inputs": { "image": "a" } } }, "outputs": { "color": "b" } })", "g.json");
+    REQUIRE_FALSE(graph);
+    CHECK(graph.error().front().code == "optional_unused");
+}
+
+TEST_CASE("a live parameter inside a composite is known by the composite's own name", "[core][composite]")
+{
+    const PassLibrary library = library_with({kTwice});
+    const auto places = [](const Plan& plan) {
+        std::set<std::string> names;
+        for (const Plan::Step& step : plan.steps)
+            for (const Plan::Uniform& uniform : step.uniforms)
+                names.insert(uniform.place);
+        return names;
+    };
+    CHECK(places(planned(built(glow_graph(""), library))) == std::set<std::string>{"glow.sigma"});
+    const Graph nested = built(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
+  "soft": { "pass": "blur_twice", "inputs": { "image": "photo" } } }, "outputs": { "color": "soft" } })", library);
+    CHECK(places(planned(nested)) == std::set<std::string>{"soft.size"});
+}

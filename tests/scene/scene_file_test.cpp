@@ -51,7 +51,11 @@ TEST_CASE("a scene file's camera, sky, elements and lights are loaded", "[scene]
       "elements": [ { "name": "a", "model": "models/box.glb", "position": [1,2,3], "scale": 2 },
                     { "name": "b", "model": "models/../models/box.glb", "scale": [1,-1,1] } ],
       "lights": [ { "name": "moon", "kind": "directional", "color": [1.2,1.2,3.5], "direction": [0,-4,0] },
-                  { "kind": "point", "color": [9,8,7], "position": [0,50,0], "radius": 200 } ] })");
+                  { "kind": "point", "color": [9,8,7], "position": [0,50,0], "radius": 200 },
+                  { "kind": "spot", "color": [9,8,7], "position": [0,50,0], "direction": [3,0,0], "radius": 20,
+                    "inner_angle_degrees": 30, "outer_angle_degrees": 30 },
+                  { "kind": "spot", "color": [9,8,7], "position": [0,50,0], "direction": [3,0,0], "radius": 20,
+                    "outer_angle_degrees": 180 } ] })");
     CHECK(scene.name == "night_lamp");
     CHECK(scene.camera.position == glm::vec3(0, 100, 140));
     CHECK(scene.camera.direction == glm::vec3(0, 0, -1));
@@ -61,11 +65,17 @@ TEST_CASE("a scene file's camera, sky, elements and lights are loaded", "[scene]
     REQUIRE(scene.elements.size() == 2);
     CHECK(scene.elements[0].world_from_model * glm::vec4(1, 1, 1, 1) == glm::vec4(3, 4, 5, 1));
     CHECK(scene.elements[1].world_from_model[1][1] == -1.0f);
-    REQUIRE(scene.lights.size() == 2);
+    REQUIRE(scene.lights.size() == 4);
     CHECK(scene.lights[0].direction == glm::vec3(0, -1, 0));
     CHECK(scene.lights[1].kind == Light::Kind::point);
     CHECK(scene.lights[1].radius == 200.0f);
     CHECK(scene.lights[1].name == "light 1");
+    CHECK(scene.lights[2].kind == Light::Kind::spot);
+    CHECK(scene.lights[2].direction == glm::vec3(1, 0, 0));
+    CHECK(scene.lights[2].inner_angle == Approx(0.52359878f));
+    CHECK(scene.lights[2].outer_angle == scene.lights[2].inner_angle);
+    CHECK(scene.lights[3].inner_angle == 0.0f);
+    CHECK(scene.lights[3].outer_angle == Approx(3.14159265f));
     SECTION("a model named twice is held once") { CHECK(scene.meshes.size() == 1); }
 }
 

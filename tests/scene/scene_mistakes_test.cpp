@@ -77,12 +77,27 @@ TEST_CASE("each mistake of a light is named", "[scene][errors]")
     check_one(light_mistakes(sun + ", \"color\": [65505,1,1]"), out, "65504");
     check_one(light_mistakes(sun + ", \"color\": [1,1,1], \"radius\": 3"), "unknown_field", "radius");
     check_one(light_mistakes("\"color\": [1,1,1]"), "field_missing", "lacks \"kind\"");
-    check_one(light_mistakes("\"color\": [1,1,1], \"kind\": \"spot\""), out, "spot");
+    check_one(light_mistakes("\"color\": [1,1,1], \"kind\": \"spto\""), out, "spto");
     check_one(light_mistakes("\"kind\": \"directional\", \"color\": [1,1,1]"), "field_missing", "direction");
     check_one(light_mistakes("\"kind\": \"directional\", \"color\": [1,1,1], \"direction\": [0,0,0]"), out, "length 0");
     check_one(light_mistakes(lamp), "field_missing", "radius");
     check_one(light_mistakes(lamp + ", \"radius\": 0"), out, "\"radius\" is 0");
     check_one(light_mistakes("\"kind\": \"point\", \"color\": [1,1,1], \"radius\": 1"), "field_missing", "position");
+}
+
+TEST_CASE("each mistake of a spot light is named", "[scene][errors]")
+{
+    const std::string out = "value_out_of_range";
+    const std::string spot = "\"kind\": \"spot\", \"color\": [1,1,1], \"position\": [0,0,0], \"radius\": 9";
+    const std::string down = spot + ", \"direction\": [0,-1,0]";
+    check_one(light_mistakes(spot + ", \"outer_angle_degrees\": 30"), "field_missing", "direction");
+    check_one(light_mistakes(down), "field_missing", "outer_angle_degrees");
+    check_one(light_mistakes(spot + ", \"direction\": [0,0,0], \"outer_angle_degrees\": 30"), out, "length 0");
+    check_one(light_mistakes(down + ", \"outer_angle_degrees\": 0"), out, "lets no light out");
+    check_one(light_mistakes(down + ", \"outer_angle_degrees\": 181"), out, "181");
+    check_one(light_mistakes(down + ", \"outer_angle_degrees\": 30, \"inner_angle_degrees\": -1"), out, "-1");
+    check_one(light_mistakes(down + ", \"outer_angle_degrees\": 30, \"inner_angle_degrees\": 30.5"), out, "30.5");
+    check_one(light_mistakes(down + ", \"outer_angle_degrees\": 30, \"angle\": 3"), "unknown_field", "angle");
 }
 
 TEST_CASE("each mistake of an element, a sky and the whole is named", "[scene][errors]")

@@ -65,7 +65,7 @@ TEST_CASE("the schema names exactly the fields that the reader knows", "[scene][
     CHECK(properties(*parts.find("sky")) == known_fields(start + "\"sky\": {" + odd + "}}"));
     CHECK(properties(*parts.find("atlas")) == known_fields(start + "\"atlas\": {" + odd + "}}"));
     CHECK(properties(*parts.find("element")) == known_fields(start + "\"elements\": [{" + odd + "}]}"));
-    for (const std::string kind : {"directional", "point"}) {
+    for (const std::string kind : {"directional", "point", "spot"}) {
         const std::string light = "\"lights\": [{\"kind\": \"" + kind + "\", " + odd + "}]}";
         CHECK(properties(*parts.find(kind + "_light")) == known_fields(start + light));
     }
@@ -77,7 +77,7 @@ TEST_CASE("what the schema requires the reader misses", "[scene][schema]")
     const test::Folder folder;
     const auto scene = load_scene(folder.write(
         "s.json", "{\"camera\": {}, \"sky\": {}, \"atlas\": {}, \"elements\": [{}], \"lights\": [{\"kind\": \"directional\"}, "
-                  "{\"kind\": \"point\"}]}"));
+                  "{\"kind\": \"point\"}, {\"kind\": \"spot\"}]}"));
     REQUIRE_FALSE(scene);
     const std::string text = to_text(scene.error());
     const auto check = [&](const Json& part) {
@@ -86,6 +86,6 @@ TEST_CASE("what the schema requires the reader misses", "[scene][schema]")
                 CHECK_THAT(text, Catch::Contains("lacks \"" + name.string + "\""));
     };
     check(root);
-    for (const char* part : {"camera", "sky", "atlas", "element", "directional_light", "point_light"})
+    for (const char* part : {"camera", "sky", "atlas", "element", "directional_light", "point_light", "spot_light"})
         check(*root.find("$defs")->find(part));
 }

@@ -71,8 +71,7 @@ Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclar
         arguments.codecs.push_back(
             {port.name,
              {},
-             port.signal == Signal::depth || port.signal == Signal::mask || port.signal == Signal::exposure ? "r32f"
-                                                                                                            : "rgba32f",
+             codec_names(port.signal).back(), // binary32 is the last of each
              {}});
     const AddedPass added = graph.add(run.pass, std::move(arguments));
     for (const OutputPort& port : pass.outputs)

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <passgraph/core/declaration.hpp>
@@ -49,9 +51,23 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 32);
 
-/// A light in the lights buffer, in view space: (color, kind: 0 directional, 1 point), (direction it travels, radius),
-/// (position, 0).
+/// A light in the lights buffer, in view space. One form for every kind, so that a loop over lights has no branches:
+///   0  (color, 1 / radius^2 rounded up so that radius^2 times it is at least 1; 0: without an end)
+///   1  (position, 1), or (unit vector against the light's direction, 0) of a directional light
+///   2  (axis * scale, offset): inside the cone share = clamp(offset - dot(to the light, axis * scale), 0, 1)^2; (0, 0, 0, 1)
+///      shines all around
 inline constexpr int kLightTexels = 3;
+
+/// What a program may take for granted about the scene's lights. The default takes nothing.
+struct LightFacts {
+    std::optional<int> count; ///< exactly so many
+    bool have_ends = true;    ///< false: all are directional
+    bool have_cones = true;   ///< false: none is a spot light
+};
+
+/// The uniform vec3[kHarmonics] beside a cube's sampler: coefficients of the sky's irradiance, see irradiance.hpp of gl.
+inline constexpr int kHarmonics = 9;
+std::string harmonics_name(std::string_view sampler);
 
 /// What a draw is told of its element, row by row. Uniforms, not a buffer: software rasterisers fetch a texel per pixel.
 ///   0 1 2  rows of view_from_model: view.x = dot(row 0, vec4(place, 1))
@@ -66,7 +82,7 @@ inline constexpr int kElementRows = 7;
 inline constexpr int kAtlasLevelCount = 15;
 
 /// GLSL of the accessors for what a step reads: view_ray(uv), light(i), random(pixel, n), ...
-std::string accessors(const Reads& reads, PassKind kind);
+std::string accessors(const Reads& reads, PassKind kind, const LightFacts& lights = {});
 /// GLSL of the element accessors in the vertex stage of a geometry step.
 std::string vertex_accessors(const Reads& reads);
 /// Names those accessors define, for messages and reserved-name checks.

@@ -89,6 +89,10 @@ struct GraphNode {
     std::optional<Ratio> scale;
     std::optional<ImageRef> size_of;
     Location where;
+    std::vector<std::string> public_places; ///< inside a composite, as pass->params: under whose name people set it
+
+    /// The name people know a parameter by: "lit.environment", inside a composite its own, else "node.param".
+    std::string place_of(size_t param) const;
 };
 
 /// The ports of a scene, by their output number: what it draws, the sky around it, and the textures of its surfaces.

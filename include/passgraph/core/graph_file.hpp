@@ -24,6 +24,7 @@ struct GraphDescription {
         GraphNode::Kind kind = GraphNode::Kind::picture;
         Signal signal = Signal::radiance;
         Location where;
+        bool is_optional = false; ///< of a composite: what reads it does without when it is not wired
     };
     struct Reference {
         std::string port; ///< of the reading pass

@@ -24,6 +24,7 @@ enum class Signal : std::uint8_t {
     mask,
     velocity,
     exposure,
+    reflectance,
     color,
 };
 
@@ -96,6 +97,9 @@ struct Velocity {
 };
 struct Exposure {
     static constexpr Signal signal = Signal::exposure;
+};
+struct Reflectance {
+    static constexpr Signal signal = Signal::reflectance;
 };
 
 } // namespace passgraph

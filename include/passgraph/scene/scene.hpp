@@ -61,15 +61,18 @@ struct Element {
     glm::mat4 world_from_model{1.0f};
 };
 
-/// A directional light shines along `direction`; a point light from `position`, windowed to 0 at `radius`.
+/// A directional light shines along `direction`; a point light from `position`, windowed to 0 at `radius`; a spot light
+/// is a point light that shines into a cone about `direction`, fully inside `inner_angle` and not outside `outer_angle`.
 struct Light {
-    enum class Kind : std::uint8_t { directional, point };
+    enum class Kind : std::uint8_t { directional, point, spot };
     Kind kind = Kind::directional;
     std::string name;
-    glm::vec3 color{1.0f};                ///< directional: irradiance on a facing surface; point: irradiance at 1 m
+    glm::vec3 color{1.0f};                ///< directional: irradiance on a facing surface; else: irradiance at 1 m
     glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< world space, length 1, the way the light travels
     glm::vec3 position{0.0f};             ///< world space, metres
-    float radius = 0.0f;                  ///< metres; beyond it the light is exactly 0
+    float radius = 0.0f;                  ///< metres; beyond it the light is exactly 0; 0: off
+    float inner_angle = 0.0f;             ///< radians from the axis, at most outer_angle; equal ones give a sharp edge
+    float outer_angle = 0.785398163f;     ///< radians from the axis, at most pi
 };
 
 /// A perspective camera; looks along `direction` with `up` roughly up. Angles in radians, lengths in metres.

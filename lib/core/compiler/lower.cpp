@@ -66,7 +66,7 @@ private:
         for (size_t i = 0; i < node.pass->params.size(); ++i) {
             const Param& param = node.pass->params[i];
             if (!node.is_static[i])
-                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.name + "." + param.name,
+                step_.uniforms.push_back({glsl::uniform_name(instance.number, param.name), node.place_of(i),
                                           param.type, node.params[i], param.lowest, param.highest});
         }
         source_.kind = node.pass->kind;

@@ -61,24 +61,23 @@ float random(ivec2 pixel, int n)
 }
 )";
 
-constexpr const char* kLights = R"(uniform samplerBuffer passgraph_lights;
-const int light_directional = 0;
-const int light_point = 1;
+constexpr const char* kLight = R"(uniform samplerBuffer passgraph_lights;
 struct Light
 {
-    int kind;
-    vec3 color;
-    vec3 direction;
-    vec3 position;
-    float radius;
+    vec3 color;               // irradiance on a facing plane: directional as it is, else at 1 m
+    vec3 position;            // metres, view space; of a directional light the unit vector against its direction
+    float nearness;           // 1: at `position`; 0: infinitely far in its direction
+    float per_radius_squared; // 1 / radius^2, rounded up; 0 has no end
+    vec3 axis;                // of a spot light, times its cone's scale; 0 shines all around
+    float cone_offset;        // cone_share(cone_offset - dot(to the light, axis))
 };
-int light_count() { return passgraph_light_count; }
 Light light(int i)
 {
-    vec4 color_and_kind = texelFetch(passgraph_lights, 3 * i);
-    vec4 direction_and_radius = texelFetch(passgraph_lights, 3 * i + 1);
-    vec4 position = texelFetch(passgraph_lights, 3 * i + 2);
-    return Light(int(color_and_kind.w), color_and_kind.rgb, direction_and_radius.xyz, position.xyz, direction_and_radius.w);
+    vec4 color_and_end = texelFetch(passgraph_lights, 3 * i);
+    vec4 position_and_nearness = texelFetch(passgraph_lights, 3 * i + 1);
+    vec4 axis_and_offset = texelFetch(passgraph_lights, 3 * i + 2);
+    return Light(color_and_end.rgb, position_and_nearness.xyz, position_and_nearness.w, color_and_end.w,
+                 axis_and_offset.xyz, axis_and_offset.w);
 }
 )";
 
@@ -106,7 +105,16 @@ vec3 element_material(vec2 place) { return texture(passgraph_atlas_material, pla
 vec3 element_emissive(vec2 place) { return texture(passgraph_atlas_emissive, place).rgb; }
 )";
 
-std::string common_part(const Reads& reads)
+/// What is known of the lights is a constant, which folds away whatever the lights do not need.
+std::string lights_part(const LightFacts& known)
+{
+    const std::string count = known.count ? std::to_string(*known.count) : "passgraph_light_count";
+    return fmt::format("{}int light_count() {{ return {}; }}\nbool lights_have_ends() {{ return {}; }}\n"
+                       "bool lights_have_cones() {{ return {}; }}\n",
+                       kLight, count, known.have_ends, known.have_cones);
+}
+
+std::string common_part(const Reads& reads, const LightFacts& lights)
 {
     std::string text;
     if (reads.camera)
@@ -116,7 +124,7 @@ std::string common_part(const Reads& reads)
     if (reads.frame)
         text += kFrameAccessors;
     if (reads.lights)
-        text += kLights;
+        text += lights_part(lights);
     if (reads.elements)
         text += kElements;
     return text;
@@ -124,9 +132,9 @@ std::string common_part(const Reads& reads)
 
 } // namespace
 
-std::string accessors(const Reads& reads, PassKind kind)
+std::string accessors(const Reads& reads, PassKind kind, const LightFacts& lights)
 {
-    std::string text = common_part(reads);
+    std::string text = common_part(reads, lights);
     if (reads.elements && kind == PassKind::geometry) {
         // A mirrored element has its winding, and so the host's front face, flipped already.
         text += "bool element_is_back_facing() { return !gl_FrontFacing; }\n";
@@ -136,7 +144,7 @@ std::string accessors(const Reads& reads, PassKind kind)
 
 std::string vertex_accessors(const Reads& reads)
 {
-    std::string text = common_part(reads);
+    std::string text = common_part(reads, {});
     if (reads.elements)
         text += "bool element_is_back_facing() { return false; }\n";
     // A pass's functions for the surface stand in this stage too, uncalled; there are no derivatives here.
@@ -151,7 +159,7 @@ const std::vector<std::string>& accessor_names(const std::string& read)
     static const std::map<std::string, std::vector<std::string>> names = {
         {"camera", {"view_ray", "world_from_view", "view_from_world", "camera_position", "view_distance"}},
         {"frame", {"frame_time", "frame_delta", "frame_index", "frame_is_cut", "random"}},
-        {"lights", {"light_count", "light", "Light", "light_directional", "light_point"}},
+        {"lights", {"light_count", "light", "Light", "lights_have_ends", "lights_have_cones"}},
         {"elements",
          {"element_to_view", "element_normal_to_view", "element_texels", "element_last_level", "element_wrap",
           "element_level", "element_albedo", "element_material", "element_emissive", "element_is_back_facing"}},

@@ -1,6 +1,8 @@
 // Complete GLSL programs from passes: accessors, parameters, bodies, and a main that evaluates each pass once.
 #include "core/glsl/assemble.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/glsl/module_text.hpp"
@@ -95,8 +97,13 @@ void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSo
                                   : constant_value(port);
     text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
     text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
-                              is_wired ? fmt::format("floor(log2(float(textureSize({}, 0).x)))", source.pieces.front().sampler)
-                                       : "0.0"));
+                              is_wired ? fmt::format("passgraph_top_level(textureSize({}, 0).x)", source.pieces.front().sampler) : "0.0"));
+    if (!port.has_levels)
+        return;
+    const std::string irradiance = is_wired
+                                       ? fmt::format("passgraph_irradiance({}, direction)", harmonics_name(source.pieces.front().sampler))
+                                       : fmt::format("{} * 3.14159265358979324", constant_value(port));
+    text.add_line(fmt::format("{} {}_irradiance(vec3 direction) {{ return {}; }}", type, name, irradiance));
 }
 
 void add_inputs(ProgramText& text, const Instance& instance, Renames& renames, Part part)
@@ -112,6 +119,8 @@ void add_inputs(ProgramText& text, const Instance& instance, Renames& renames, P
         rename("");
         if (port.over == Over::sphere) {
             rename("_top_lod");
+            if (port.has_levels)
+                rename("_irradiance");
             add_sphere_accessor(text, port, instance.inputs[i], prefix + port.name);
         } else {
             rename("_texel");
@@ -253,9 +262,13 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     for (size_t i = 0; i < step.targets.size(); ++i)
         text.add_line(fmt::format("layout(location = {}) out vec4 passgraph_target_{};", i, i));
     for (const SamplerDeclaration& sampler : step.samplers)
-        text.add_line(fmt::format("uniform {} {};", sampler.is_cube ? "samplerCube" : "sampler2D", sampler.name));
+        text.add_line(sampler.is_cube ? fmt::format("uniform samplerCube {};\nuniform vec3 {}[{}];", sampler.name,
+                                                    harmonics_name(sampler.name), kHarmonics)
+                                      : fmt::format("uniform sampler2D {};", sampler.name));
+    if (std::any_of(step.samplers.begin(), step.samplers.end(), [](const auto& sampler) { return sampler.is_cube; }))
+        text.add(sphere_functions());
     text.add(glsl_codec_functions());
-    text.add(accessors(step.reads, step.kind));
+    text.add(accessors(step.reads, step.kind, step.lights));
     text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
     for (const Instance& instance : step.instances)
         add_instance(text, instance, part);
@@ -378,6 +391,9 @@ std::string standalone_text(const PassDeclaration& pass, const std::vector<int>&
             text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, port.name,
                                       constant_value(port)));
             text.add_line(fmt::format("float {}_top_lod() {{ return 0.0; }}", port.name));
+            if (port.has_levels)
+                text.add_line(fmt::format("{} {}_irradiance(vec3 direction) {{ return {}; }}", type, port.name,
+                                          constant_value(port)));
             continue;
         }
         text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", type, port.name, constant_value(port)));

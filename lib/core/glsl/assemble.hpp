@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "passgraph/core/codec.hpp"
 #include "passgraph/core/declaration.hpp"
+#include "passgraph/core/glsl_interface.hpp"
 #include "passgraph/core/picture.hpp"
 
 namespace passgraph::glsl {
@@ -60,6 +62,7 @@ struct StepSource {
     Reads reads;
     PassKind kind = PassKind::image;
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
+    LightFacts lights;
 };
 
 struct StepText {
@@ -73,6 +76,9 @@ std::string value_name(const Instance& instance, size_t output);
 std::string uniform_name(int instance_number, std::string_view param);
 
 StepText assemble(const StepSource& step);
+
+/// GLSL that the accessors of inputs over a sphere call.
+std::string_view sphere_functions();
 
 /// The declarations a pass's body sees: accessors, parameters, selections, includes, all under their own names, with its
 /// body. `prototypes_only`: accessors have no body, so that an analysis sees which are called.

@@ -168,6 +168,8 @@ void check_namespace(const PassDeclaration& pass, Errors& errors)
         take(port.name, port.where);
         if (port.over == Over::sphere)
             take(port.name + "_top_lod", port.where);
+        if (port.over == Over::sphere && port.has_levels)
+            take(port.name + "_irradiance", port.where);
         if (port.over == Over::sphere || port.over == Over::scene)
             continue;
         take(port.name + "_texel", port.where);
