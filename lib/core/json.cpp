@@ -340,6 +340,15 @@ bool JsonFields::boolean(std::string_view key, bool fallback)
 
 bool JsonFields::numbers(std::string_view key, size_t count, float* out)
 {
+    std::vector<double> exact(count);
+    if (!numbers(key, count, exact.data()))
+        return false;
+    std::transform(exact.begin(), exact.end(), out, [](double number) { return static_cast<float>(number); });
+    return true;
+}
+
+bool JsonFields::numbers(std::string_view key, size_t count, double* out)
+{
     const Json* value = find(key, Json::Kind::array);
     if (!value)
         return false;
@@ -351,8 +360,7 @@ bool JsonFields::numbers(std::string_view key, size_t count, float* out)
             {"wrong_type", fmt::format("{}: \"{}\" wants {} finite numbers", what_, key, count), "", value->where});
         return false;
     }
-    for (size_t i = 0; i < count; ++i)
-        out[i] = static_cast<float>(value->array[i].number);
+    std::transform(value->array.begin(), value->array.end(), out, [](const Json& item) { return item.number; });
     return true;
 }
 

@@ -69,7 +69,7 @@ std::vector<ElementDraw> sorted_draws(const Scene& scene)
         if (mesh.indices.empty())
             continue;
         draws.push_back({.is_double_sided = material.is_double_sided,
-                         .is_mirrored = is_mirrored(glm::dmat3(glm::dmat4(element.world_from_model))),
+                         .is_mirrored = is_mirrored(glm::dmat3(element.world_from_model)),
                          .mesh = element.mesh,
                          .element = static_cast<int>(i)});
     }

@@ -48,7 +48,7 @@ View view_of(const Camera& camera, Extent extent, bool has_clip_control)
     const CameraMatrices given = matrices(camera, extent);
     View view;
     view.rotation = glm::dmat3(given.view_from_world);
-    view.position = glm::dvec3(camera.position);
+    view.position = camera.position;
 
     glm::dmat4 clip(given.clip_from_view);
     // View space of the ray through (ndc.x, ndc.y), where clip.w = 1.
@@ -99,7 +99,7 @@ std::vector<glm::vec4> element_rows(const Scene& scene, const Atlas& atlas, cons
     std::vector<glm::vec4> texels;
     texels.reserve(scene.elements.size() * glsl::kElementRows);
     for (const Element& element : scene.elements) {
-        const glm::dmat4 world_from_model(element.world_from_model);
+        const glm::dmat4& world_from_model = element.world_from_model;
         const glm::dmat3 linear = view.rotation * glm::dmat3(world_from_model);
         // The difference first: both places may be a million metres from the origin.
         const glm::dvec3 place = view.rotation * (glm::dvec3(world_from_model[3]) - view.position);
@@ -182,7 +182,7 @@ std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)
             continue;
         }
         const bool is_near = light.kind != Light::Kind::directional;
-        const glm::dvec3 place = is_near ? glm::dvec3(light.position) - view.position : -glm::dvec3(light.direction);
+        const glm::dvec3 place = is_near ? light.position - view.position : -glm::dvec3(light.direction);
         texels.emplace_back(light.color, is_near ? per_radius_squared(light.radius) : 0.0f);
         texels.emplace_back(glm::vec3(view.rotation * place), is_near ? 1.0f : 0.0f);
         texels.push_back(cone_texel(light, view.rotation));

@@ -1,4 +1,5 @@
 // The six faces of an environment, one file each.
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -27,21 +28,48 @@ std::optional<std::string> find_face(const fs::path& folder, std::string_view fa
     return std::nullopt;
 }
 
-void find_shape_errors(const std::string& folder, const std::array<Picture, 6>& faces, Errors& errors)
+using Faces = std::array<std::optional<Picture>, 6>;
+
+bool is_square(const Picture& face)
 {
+    return face.extent.width == face.extent.height;
+}
+
+/// The extent that most of the square faces have; the first such among equals.
+Extent usual_extent(const Faces& faces)
+{
+    Extent usual;
+    std::ptrdiff_t most = 0;
+    for (const auto& face : faces) {
+        if (!face || !is_square(*face))
+            continue;
+        const auto same = std::count_if(faces.begin(), faces.end(),
+                                        [&](const auto& other) { return other && other->extent == face->extent; });
+        if (same > most) {
+            most = same;
+            usual = face->extent;
+        }
+    }
+    return usual;
+}
+
+void find_shape_errors(const std::string& folder, const Faces& faces, Errors& errors)
+{
+    const Extent usual = usual_extent(faces);
     for (size_t i = 0; i < faces.size(); ++i) {
-        const auto [width, height] = faces[i].extent;
+        if (!faces[i])
+            continue;
+        const auto [width, height] = faces[i]->extent;
         if (width != height)
             errors.push_back(
                 {.code = "cube_face_not_square",
                  .message = fmt::format("`{}` of `{}` has {} x {} texels", kFaces[i], folder, width, height),
                  .hint = "the faces of a cube are square"});
-        else if (faces[i].extent != faces[0].extent)
-            errors.push_back(
-                {.code = "cube_face_size",
-                 .message = fmt::format("`{}` of `{}` has {} x {} texels, but `px` has {} x {}", kFaces[i], folder,
-                                        width, height, faces[0].extent.width, faces[0].extent.height),
-                 .hint = "all six faces have the same size"});
+        else if (faces[i]->extent != usual)
+            errors.push_back({.code = "cube_face_size",
+                              .message = fmt::format("`{}` of `{}` has {} x {} texels, but others have {} x {}",
+                                                     kFaces[i], folder, width, height, usual.width, usual.height),
+                              .hint = "all six faces have the same size"});
     }
 }
 
@@ -53,7 +81,7 @@ Result<std::array<Picture, 6>> read_cube(const std::string& folder, Transfer tra
     if (!fs::is_directory(folder, failed))
         return fail({.code = "file_missing", .message = fmt::format("there is no folder `{}`", folder)});
     Errors errors;
-    std::array<Picture, 6> faces;
+    Faces faces;
     for (size_t i = 0; i < faces.size(); ++i) {
         const std::optional<std::string> path = find_face(folder, kFaces[i]);
         if (!path) {
@@ -68,11 +96,13 @@ Result<std::array<Picture, 6>> read_cube(const std::string& folder, Transfer tra
         else
             errors.insert(errors.end(), face.error().begin(), face.error().end());
     }
-    if (errors.empty())
-        find_shape_errors(folder, faces, errors);
+    find_shape_errors(folder, faces, errors);
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
-    return faces;
+    std::array<Picture, 6> cube;
+    for (size_t i = 0; i < faces.size(); ++i)
+        cube[i] = std::move(*faces[i]);
+    return cube;
 }
 
 } // namespace passgraph

@@ -12,13 +12,12 @@ Bounds bounds(const Scene& scene)
     Bounds box;
     for (const Element& element : scene.elements) {
         const Mesh& mesh = scene.meshes[static_cast<size_t>(element.mesh)];
-        const glm::dmat4 world_from_model(element.world_from_model);
         std::vector<bool> is_done(mesh.vertices.size(), false);
         for (const std::uint32_t index : mesh.indices) {
             if (is_done[index])
                 continue;
             is_done[index] = true;
-            const glm::vec3 place(world_from_model * glm::dvec4(mesh.vertices[index].position, 1.0f));
+            const glm::vec3 place(element.world_from_model * glm::dvec4(mesh.vertices[index].position, 1.0f));
             box.low = glm::min(box.low, place);
             box.high = glm::max(box.high, place);
         }
@@ -33,7 +32,7 @@ Camera framing_camera(const Bounds& box)
     const double radius = half_diagonal > 0.0 ? half_diagonal : std::sqrt(3.0);
     Camera camera;
     const double distance = radius / std::sin(static_cast<double>(camera.vertical_fov) * 0.5);
-    camera.position = glm::vec3(center + glm::dvec3(0.0, 0.0, distance));
+    camera.position = center + glm::dvec3(0.0, 0.0, distance);
     camera.near_plane = static_cast<float>(distance - 1.1 * radius);
     camera.far_plane = static_cast<float>(distance + 1.1 * radius);
     return camera;

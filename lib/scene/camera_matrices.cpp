@@ -24,7 +24,7 @@ glm::dmat4 view_from_world(const Camera& camera)
         right = glm::cross(forward, axis_across(forward));
     right = glm::normalize(right);
     const glm::dvec3 up = glm::cross(right, forward);
-    const glm::dvec3 position(camera.position);
+    const glm::dvec3& position = camera.position;
     glm::dmat4 view(1.0);
     for (int column = 0; column < 3; ++column)
         view[column] = {right[column], up[column], -forward[column], 0.0};

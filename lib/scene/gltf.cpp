@@ -38,10 +38,11 @@ Result<Model> read_opened(File& file)
     return convert(file);
 }
 
-bool is_finite(const glm::mat4& matrix)
+/// As it is drawn: in single precision.
+bool is_finite(const glm::dmat4& matrix)
 {
     for (int i = 0; i < 16; ++i)
-        if (!std::isfinite(glm::value_ptr(matrix)[i]))
+        if (!std::isfinite(static_cast<float>(glm::value_ptr(matrix)[i])))
             return false;
     return true;
 }
@@ -119,7 +120,7 @@ Errors place_elements(Scene& scene, const Model& model, int first_mesh, const gl
     for (const Placement& placement : model.placements) {
         const bool is_only = model.placements.size() == 1;
         Element element{is_only ? name : fmt::format("{}.{}", name, elements.size()), first_mesh + placement.mesh,
-                        glm::mat4(world_from_model * placement.root_from_mesh)};
+                        world_from_model * placement.root_from_mesh};
         if (!is_finite(element.world_from_model)) {
             errors.push_back({"value_out_of_range", fmt::format("`{}` is placed at no finite place", element.name),
                               "its position, scale and nodes multiply to more than a float holds", {path}});
@@ -133,7 +134,7 @@ Errors place_elements(Scene& scene, const Model& model, int first_mesh, const gl
 
 } // namespace gltf
 
-Result<void> append_gltf(Scene& scene, const std::string& path, const glm::mat4& world_from_model,
+Result<void> append_gltf(Scene& scene, const std::string& path, const glm::dmat4& world_from_model,
                          const std::string& element_name)
 {
     const Result<gltf::Model> model = gltf::read_model(path);
@@ -141,7 +142,7 @@ Result<void> append_gltf(Scene& scene, const std::string& path, const glm::mat4&
         return tl::unexpected(model.error());
     const int first_mesh = static_cast<int>(scene.meshes.size());
     const std::string name = element_name.empty() ? std::filesystem::path(path).stem().string() : element_name;
-    Errors errors = gltf::place_elements(scene, *model, first_mesh, glm::dmat4(world_from_model), name, path);
+    Errors errors = gltf::place_elements(scene, *model, first_mesh, world_from_model, name, path);
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
     gltf::add_resources(scene, *model);

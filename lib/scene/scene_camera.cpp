@@ -13,13 +13,17 @@ namespace {
 constexpr double kLargest = std::numeric_limits<float>::max();
 // Sine of the least angle between up and direction: below it, float rounding turns the picture.
 constexpr double kLeastAngle = 1e-4;
+// Reversed depth at the distance d is near (far - d) / ((far - near) d). At a larger ratio of far to near it falls
+// below the least normal binary32, which GPUs take for 0, and 0 is the sky; so does the square of a smaller distance.
+constexpr double kNearest = 1e-15;
+constexpr double kLargestRatio = 1e30;
 // Radians; a smaller field of view magnifies more than a float can place.
 constexpr double kLeastView = 1e-6;
 
 /// Either "direction", or "target" seen from `position`. Nothing when neither can be used.
 bool read_direction(JsonFields& fields, const Json& json, const Camera& camera, glm::dvec3& direction, Errors& errors)
 {
-    glm::vec3 given(0.0f);
+    glm::dvec3 given(0.0);
     const Json* target = fields.find("target");
     if (fields.find("direction")) {
         if (target) {
@@ -28,7 +32,7 @@ bool read_direction(JsonFields& fields, const Json& json, const Camera& camera, 
         }
         if (!vector_of(fields, "direction", given, false) || !has_length(fields, "direction", given, errors))
             return false;
-        direction = glm::normalize(glm::dvec3(given));
+        direction = glm::normalize(given);
         return true;
     }
     if (!target) {
@@ -41,22 +45,29 @@ bool read_direction(JsonFields& fields, const Json& json, const Camera& camera, 
         out_of_range(*target, "the camera's \"target\" is its \"position\", so it looks nowhere", errors);
         return false;
     }
-    direction = glm::normalize(glm::dvec3(given) - glm::dvec3(camera.position));
+    direction = glm::normalize(given - camera.position);
     return true;
 }
 
 void read_planes(JsonFields& fields, Camera& camera, Errors& errors)
 {
     const size_t before = errors.size();
-    camera.near_plane = number_in(fields, "near", camera.near_plane, {0.0, kLargest, true}, errors);
+    camera.near_plane = number_in(fields, "near", camera.near_plane, {kNearest, kLargest}, errors);
     camera.far_plane = number_in(fields, "far", camera.far_plane, {0.0, kLargest, true}, errors);
-    if (errors.size() != before || camera.near_plane < camera.far_plane)
+    if (errors.size() != before)
         return;
     const Json* blamed = fields.find("near") ? fields.find("near") : fields.find("far");
-    out_of_range(*blamed,
-                 fmt::format("the camera's \"near\" plane, {}, is not before its \"far\" plane, {}", camera.near_plane,
-                             camera.far_plane),
-                 errors);
+    if (!(camera.near_plane < camera.far_plane)) {
+        out_of_range(*blamed,
+                     fmt::format("the camera's \"near\" plane, {}, is not before its \"far\" plane, {}",
+                                 camera.near_plane, camera.far_plane),
+                     errors);
+    } else if (static_cast<double>(camera.far_plane) / static_cast<double>(camera.near_plane) > kLargestRatio) {
+        out_of_range(*blamed,
+                     fmt::format("the camera's \"far\" plane, {}, is more than {} times its \"near\" plane, {}",
+                                 camera.far_plane, kLargestRatio, camera.near_plane),
+                     errors, "no depth buffer tells places so far apart from the sky");
+    }
 }
 
 } // namespace

@@ -47,12 +47,12 @@ glm::vec3 read_scale(JsonFields& fields, Errors& errors)
 /// T * Rx * Ry * Rz * S: about x, then about the turned y, then about the twice turned z.
 glm::dmat4 read_placement(JsonFields& fields, Errors& errors)
 {
-    glm::vec3 position(0.0f);
+    glm::dvec3 position(0.0);
     glm::vec3 degrees(0.0f);
     vector_of(fields, "position", position, false);
     vector_of(fields, "rotation_degrees", degrees, false);
     const glm::vec3 scale = read_scale(fields, errors);
-    glm::dmat4 world = glm::translate(glm::dmat4(1.0), glm::dvec3(position));
+    glm::dmat4 world = glm::translate(glm::dmat4(1.0), position);
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 about(0.0);
         about[axis] = 1.0;
@@ -140,9 +140,16 @@ bool vector_of(JsonFields& fields, std::string_view key, glm::vec3& out, bool is
     return fields.numbers(key, 3, &out.x);
 }
 
-bool has_length(JsonFields& fields, std::string_view key, const glm::vec3& vector, Errors& errors)
+bool vector_of(JsonFields& fields, std::string_view key, glm::dvec3& out, bool is_required)
 {
-    if (glm::length(glm::dvec3(vector)) > 0.0)
+    if (is_required && !fields.require(key))
+        return false;
+    return fields.numbers(key, 3, &out.x);
+}
+
+bool has_length(JsonFields& fields, std::string_view key, const glm::dvec3& vector, Errors& errors)
+{
+    if (glm::length(vector) > 0.0)
         return true;
     out_of_range(*fields.find(key), fmt::format("\"{}\" has length 0, so it points nowhere", key), errors);
     return false;

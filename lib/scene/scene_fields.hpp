@@ -83,8 +83,9 @@ struct Range {
 float number_in(JsonFields& fields, std::string_view key, float fallback, Range range, Errors& errors);
 /// Three finite numbers; reports field_missing when `is_required`. False: absent or wrong.
 bool vector_of(JsonFields& fields, std::string_view key, glm::vec3& out, bool is_required);
+bool vector_of(JsonFields& fields, std::string_view key, glm::dvec3& out, bool is_required);
 /// Reports a vector without length.
-bool has_length(JsonFields& fields, std::string_view key, const glm::vec3& vector, Errors& errors);
+bool has_length(JsonFields& fields, std::string_view key, const glm::dvec3& vector, Errors& errors);
 void out_of_range(const Json& value, std::string message, Errors& errors, std::string hint = "");
 
 inline constexpr float kLargestColor = 65504.0f; ///< the largest half: radiance's domain

@@ -90,7 +90,10 @@ void load_sky(Scene& scene, const SkyEntry& entry, Errors& errors)
     }
     auto faces = read_cube(entry.faces.path);
     if (!faces) {
-        append(errors, faces.error());
+        for (Error error : faces.error()) {
+            error.where = entry.faces.where; // a picture has no lines: the scene file says which folder is meant
+            errors.push_back(std::move(error));
+        }
         return;
     }
     scene.sky.faces = std::move(*faces);
@@ -105,7 +108,7 @@ void load_sky(Scene& scene, const SkyEntry& entry, Errors& errors)
 Camera default_camera(const Scene& scene, const Location& where, Errors& errors)
 {
     const Camera camera = framing_camera(bounds(scene));
-    const float sum = camera.position.x + camera.position.y + camera.position.z + camera.far_plane;
+    const double sum = camera.position.x + camera.position.y + camera.position.z + camera.far_plane;
     if (!std::isfinite(sum) || !std::isnormal(camera.near_plane)) {
         errors.push_back({"value_out_of_range", "the scene is too large or too small to be framed",
                           "scale its elements, or give a \"camera\"", where});

@@ -71,6 +71,17 @@ void declare_composites(std::vector<std::pair<std::string, std::shared_ptr<const
                           {description->file, 1, 1}});
 }
 
+/// What is missing at a text's end, glslang misses in the lines after it, which are generated: say it at the last line.
+Errors within_file(Errors errors, const std::string& text, const std::string& file)
+{
+    const auto breaks = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    const int last = text.ends_with('\n') ? breaks : breaks + 1;
+    for (Error& error : errors)
+        if (error.where.file == "generated" || (error.where.file == file && error.where.line > last))
+            error.where = {file, last, 0};
+    return errors;
+}
+
 } // namespace
 
 Result<PassPtr> read_pass(const std::string& text, const std::string& file, const std::string& family,
@@ -80,7 +91,7 @@ Result<PassPtr> read_pass(const std::string& text, const std::string& file, cons
     if (!pass)
         return tl::unexpected(pass.error());
     if (const auto checked = shader::check_and_derive(*pass); !checked)
-        return tl::unexpected(checked.error());
+        return tl::unexpected(within_file(checked.error(), text, file));
     return std::make_shared<const PassDeclaration>(std::move(*pass));
 }
 

@@ -192,11 +192,11 @@ TEST_CASE("an element's rows hold its place, normals and material as documented"
 
 TEST_CASE("a million metres from the origin the picture is the same", "[gl][geometry]")
 {
-    const auto picture_at = [](const glm::vec3& origin) {
+    const auto picture_at = [](const glm::dvec3& origin) {
         Scene scene = scene_with({colored(1, 1, 1)});
         scene.camera.position = origin;
         place(scene, 0, at(0, 0, -2));
-        scene.elements[0].world_from_model[3] += glm::vec4(origin, 0.0f);
+        scene.elements[0].world_from_model[3] += glm::dvec4(origin, 0.0);
         return draw(scene, "vec4(view_position, 1.0)").texels;
     };
     CHECK(picture_at({1048576, -2097152, 524288}) == picture_at({0, 0, 0}));

@@ -102,3 +102,18 @@ TEST_CASE("a cube's faces are square and of one size", "[image][cube]")
     CHECK(cube.error()[1].code == "cube_face_not_square");
     CHECK_THAT(cube.error()[1].message, Catch::Contains("`pz`") && Catch::Contains("4 x 5"));
 }
+
+TEST_CASE("the faces of a cube that differ from most are named, beside those that are missing", "[image][cube]")
+{
+    const Scratch scratch;
+    write_faces(scratch);
+    REQUIRE(write_picture(scratch / "px.pfm", gradient({8, 8}, 3)));
+    REQUIRE(write_picture(scratch / "pz.pfm", gradient({4, 5}, 3)));
+    std::filesystem::remove(scratch / "nz.exr");
+    const auto cube = read_cube(scratch.folder());
+    REQUIRE_FALSE(cube);
+    REQUIRE(cube.error().size() == 3);
+    CHECK_THAT(cube.error()[0].message, Catch::Contains("`nz`"));
+    CHECK_THAT(cube.error()[1].message, Catch::Contains("`px`") && Catch::Contains("others have 4 x 4"));
+    CHECK_THAT(cube.error()[2].message, Catch::Contains("`pz`"));
+}

@@ -156,7 +156,7 @@ TEST_CASE("a square scaled flat keeps its direction, a stretched one too", "[pas
     Scene scene = square(kFacing, kFacing);
     for (auto& vertex : scene.meshes[0].vertices)
         vertex.position.z = 0.0f;
-    glm::mat4& place = scene.elements[0].world_from_model;
+    glm::dmat4& place = scene.elements[0].world_from_model;
     place[3] = glm::vec4(0.0f, 0.0f, -2.0f, 1.0f);
     for (const float thickness : {0.0f, 1e-3f, 1e3f}) {
         place[2][2] = thickness;

@@ -298,7 +298,7 @@ TEST_CASE("a lamp in the surface itself lights it brightly, not infinitely", "[p
     lamp.position = {0.25f, 0.5f, -2.0f};
     lamp.color = glm::vec3(1.0f);
     for (int c = 0; c < 3; ++c)
-        s.position.at(0, 0, c) = lamp.position[c];
+        s.position.at(0, 0, c) = static_cast<float>(lamp.position[c]);
     const Picture got = shaded(s, {lamp});
     for (int c = 0; c < 3; ++c) {
         CHECK(std::isfinite(got.at(0, 0, c)));

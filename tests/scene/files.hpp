@@ -36,6 +36,7 @@ public:
     {
         const auto path = path_ / name;
         std::filesystem::create_directories(path.parent_path());
+        std::filesystem::remove(path); // ext4 waits for the disk where a file is emptied and written again
         std::ofstream(path, std::ios::binary) << text;
         return path.string();
     }

@@ -23,7 +23,7 @@ test::Loaded with_nodes(const std::string& nodes, const glm::mat4& placed = glm:
 
 glm::vec3 image_of(const Element& element, const glm::vec3& point)
 {
-    return glm::vec3(element.world_from_model * glm::vec4(point, 1.0f));
+    return glm::vec3(element.world_from_model * glm::dvec4(point, 1.0));
 }
 
 } // namespace
@@ -50,7 +50,7 @@ TEST_CASE("children are placed by their parents and the model by the caller", "[
 TEST_CASE("a negative scale stays in the placement", "[scene][gltf]")
 {
     const auto loaded = with_nodes("\"nodes\":[{\"mesh\":0,\"scale\":[-1,1,1]}]");
-    CHECK(glm::determinant(loaded.scene.elements[0].world_from_model) == -1.0f);
+    CHECK(glm::determinant(loaded.scene.elements[0].world_from_model) == -1.0);
     CHECK(loaded.scene.meshes[0].vertices[1].position == glm::vec3(1, 0, 0));
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("only the default scene is drawn; the first one, if none is named", "[
                               "\"scenes\":[{\"nodes\":[1]},{\"nodes\":[0,2]}]";
     const auto first = with_nodes(nodes);
     REQUIRE(first.scene.elements.size() == 1);
-    CHECK(first.scene.elements[0].world_from_model[3][0] == 1.0f);
+    CHECK(first.scene.elements[0].world_from_model[3][0] == 1.0);
     CHECK(with_nodes(nodes + ",\"scene\":1").scene.elements.size() == 2);
 }
 

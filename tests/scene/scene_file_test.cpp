@@ -57,14 +57,14 @@ TEST_CASE("a scene file's camera, sky, elements and lights are loaded", "[scene]
                   { "kind": "spot", "color": [9,8,7], "position": [0,50,0], "direction": [3,0,0], "radius": 20,
                     "outer_angle_degrees": 180 } ] })");
     CHECK(scene.name == "night_lamp");
-    CHECK(scene.camera.position == glm::vec3(0, 100, 140));
+    CHECK(scene.camera.position == glm::dvec3(0, 100, 140));
     CHECK(scene.camera.direction == glm::vec3(0, 0, -1));
     CHECK(scene.camera.vertical_fov == Approx(1.5707963f));
     CHECK(scene.camera.far_plane == 2001.0f);
     CHECK(scene.sky.faces[5].texels == std::vector<float>(12, 1.0f));
     REQUIRE(scene.elements.size() == 2);
-    CHECK(scene.elements[0].world_from_model * glm::vec4(1, 1, 1, 1) == glm::vec4(3, 4, 5, 1));
-    CHECK(scene.elements[1].world_from_model[1][1] == -1.0f);
+    CHECK(scene.elements[0].world_from_model * glm::dvec4(1, 1, 1, 1) == glm::dvec4(3, 4, 5, 1));
+    CHECK(scene.elements[1].world_from_model[1][1] == -1.0);
     REQUIRE(scene.lights.size() == 4);
     CHECK(scene.lights[0].direction == glm::vec3(0, -1, 0));
     CHECK(scene.lights[1].kind == Light::Kind::point);

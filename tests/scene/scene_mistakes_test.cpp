@@ -58,6 +58,8 @@ TEST_CASE("each mistake of a camera is named", "[scene][errors]")
     check_one(camera_mistakes(kView + ", \"near\": 0"), out, "\"near\" is 0");
     check_one(camera_mistakes(kView + ", \"near\": -1"), out, "\"near\" is -1");
     check_one(camera_mistakes(kView + ", \"near\": 5, \"far\": 5"), out, "is not before its \"far\" plane");
+    check_one(camera_mistakes(kView + ", \"near\": 9e-16"), out, "at least 1e-15");
+    check_one(camera_mistakes(kView + ", \"near\": 1e-14, \"far\": 1e17"), out, "1e+30 times");
     check_one(camera_mistakes(kView + ", \"far\": 0.05"), out, "is not before its \"far\" plane");
     check_one(camera_mistakes(kView + ", \"far\": 1e39"), out, "\"far\"");
     check_one(camera_mistakes(kView + ", \"vertical_fov_degrees\": 0"), out, "vertical_fov_degrees");
@@ -199,4 +201,33 @@ TEST_CASE("the least field of view still gives a camera that can be used", "[sce
         "s.json", "{\"passgraph_scene\": 1, \"camera\": {" + kView + ", \"vertical_fov_degrees\": 1e-44}}"));
     REQUIRE(scene);
     CHECK(scene->camera.vertical_fov > 0.0f);
+}
+
+TEST_CASE("every fault of a sky is told at the scene's \"faces\"", "[scene][errors]")
+{
+    const Folder folder;
+    folder.write("sky/px.png", "no picture");
+    folder.write("sky/nx.png", "");
+    const auto scene = load_scene(folder.write("s.json", "{\"passgraph_scene\": 1,\n \"sky\": {\"faces\": \"sky\"}}"));
+    REQUIRE_FALSE(scene);
+    CHECK(scene.error().size() == 6); // two that cannot be read, four that are missing
+    for (const Error& error : scene.error()) {
+        CHECK(error.where.file == folder.path("s.json"));
+        CHECK(error.where.line == 2);
+        CHECK(error.where.column == 19);
+    }
+}
+
+TEST_CASE("a place in the world keeps the double that the file says", "[scene]")
+{
+    const Folder folder;
+    const auto scene = load_scene(folder.write(
+        "s.json", "{\"passgraph_scene\": 1, \"camera\": {\"position\": [1000000.1,0,0], \"target\": [1000000.2,0,0]},"
+                  "\"lights\": [{\"kind\": \"point\", \"color\": [1,1,1], \"position\": [0,1000000.3,0], \"radius\": 1}],"
+                  "\"elements\": [{\"model\": \"" + test::data_file("models/box01.glb") + "\", \"position\": [0,0,1000000.4]}]}"));
+    REQUIRE(scene);
+    CHECK(scene->camera.position.x == 1000000.1);
+    CHECK(scene->camera.direction == glm::vec3(1, 0, 0));
+    CHECK(scene->lights[0].position.y == 1000000.3);
+    CHECK(scene->elements[0].world_from_model[3][2] == 1000000.4);
 }

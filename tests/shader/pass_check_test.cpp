@@ -215,3 +215,10 @@ TEST_CASE("a geometry pass has a vertex and a surface function", "[shader][check
     only(errors_of(header + "\nvoid probe_vertex(vec3 position, vec3 normal, vec2 texcoord, out vec3 placed, out vec3 facing, out vec2 uv) { placed = position; facing = normal; }" +
                    surface), "output_unwritten");
 }
+
+TEST_CASE("what is missing at a pass's end is told at its last line", "[shader][check]")
+{
+    const Error error = only(errors_of(kHeader + "vec3 probe(vec2 uv)\n{\n    return image(uv) * amount;\n}\n#if 1\n"), "glsl_error");
+    CHECK_THAT(error.message, Catch::Contains("#endif"));
+    CHECK(error.where.line == 11);
+}

@@ -67,8 +67,10 @@ public:
     std::string text(std::string_view key, std::string fallback = "");
     double number(std::string_view key, double fallback);
     bool boolean(std::string_view key, bool fallback);
-    /// An array of exactly `count` finite numbers into `out`; leaves `out` alone when absent. False: absent or wrong.
+    /// An array of exactly `count` numbers that a float can hold into `out`, which is left alone when absent or wrong.
+    /// False: absent or wrong.
     bool numbers(std::string_view key, size_t count, float* out);
+    bool numbers(std::string_view key, size_t count, double* out); ///< the same without the rounding to float
 
     /// Reports members that were never asked for.
     void finish();

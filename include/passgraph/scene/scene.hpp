@@ -54,11 +54,11 @@ struct Mesh {
     int material = 0;
 };
 
-/// One mesh placed in the world.
+/// One mesh placed in the world. Places in the world are doubles: a float of a million metres has steps of 6 cm.
 struct Element {
     std::string name;
     int mesh = 0;
-    glm::mat4 world_from_model{1.0f};
+    glm::dmat4 world_from_model{1.0};
 };
 
 /// A directional light shines along `direction`; a point light from `position`, windowed to 0 at `radius`; a spot light
@@ -69,7 +69,7 @@ struct Light {
     std::string name;
     glm::vec3 color{1.0f};                ///< directional: irradiance on a facing surface; else: irradiance at 1 m
     glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< world space, length 1, the way the light travels
-    glm::vec3 position{0.0f};             ///< world space, metres
+    glm::dvec3 position{0.0};             ///< world space, metres
     float radius = 0.0f;                  ///< metres; beyond it the light is exactly 0; 0: off
     float inner_angle = 0.0f;             ///< radians from the axis, at most outer_angle; equal ones give a sharp edge
     float outer_angle = 0.785398163f;     ///< radians from the axis, at most pi
@@ -77,7 +77,7 @@ struct Light {
 
 /// A perspective camera; looks along `direction` with `up` roughly up. Angles in radians, lengths in metres.
 struct Camera {
-    glm::vec3 position{0.0f};
+    glm::dvec3 position{0.0};
     glm::vec3 direction{0.0f, 0.0f, -1.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     float vertical_fov = 0.785398163f;

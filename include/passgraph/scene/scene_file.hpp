@@ -23,7 +23,7 @@ Result<Scene> load_scene(const std::string& path);
 /// Errors   file_missing, gltf_malformed (not glTF, truncated, an index, accessor, buffer view, texture or node pointing
 ///          outside, a cycle of nodes, non-finite positions), each naming what points where.
 /// Source   glTF 2.0 specification; KHR_materials_specular, KHR_materials_emissive_strength.
-Result<void> append_gltf(Scene& scene, const std::string& path, const glm::mat4& world_from_model,
+Result<void> append_gltf(Scene& scene, const std::string& path, const glm::dmat4& world_from_model,
                          const std::string& element_name);
 
 } // namespace passgraph
