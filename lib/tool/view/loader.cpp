@@ -60,6 +60,25 @@ bool Loader::is_busy()
     return wants_passes_ || wants_scene_ || is_working_;
 }
 
+/// Loads; after errors once more as long as a file that is to blame is young.
+template <class Load> auto Loader::load_settled(const Load& load, const std::vector<std::string>& files)
+{
+    auto loaded = load();
+    // A clock of another machine may be ahead for ever, so the number of tries is bounded.
+    for (int tries = 0; !loaded.errors.empty() && tries < 8; ++tries) {
+        std::vector<std::string> blamed = files;
+        for (const Error& error : loaded.errors)
+            blamed.push_back(error.where.file);
+        const auto age = std::filesystem::file_time_type::clock::now() - FileWatch::latest(blamed);
+        std::unique_lock lock(mutex_);
+        if (age > kSettled || changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return is_ending_; }))
+            break;
+        lock.unlock();
+        loaded = load();
+    }
+    return loaded;
+}
+
 void Loader::work()
 {
     std::unique_lock lock(mutex_);
@@ -85,25 +104,6 @@ void Loader::work()
             scene_ = std::move(scene);
         on_done_();
     }
-}
-
-/// Loads; after errors once more as long as a file that is to blame is young.
-template <class Load> auto Loader::load_settled(const Load& load, const std::vector<std::string>& files)
-{
-    auto loaded = load();
-    // A clock of another machine may be ahead for ever, so the number of tries is bounded.
-    for (int tries = 0; !loaded.errors.empty() && tries < 8; ++tries) {
-        std::vector<std::string> blamed = files;
-        for (const Error& error : loaded.errors)
-            blamed.push_back(error.where.file);
-        const auto age = std::filesystem::file_time_type::clock::now() - FileWatch::latest(blamed);
-        std::unique_lock lock(mutex_);
-        if (age > kSettled || changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return is_ending_; }))
-            break;
-        lock.unlock();
-        loaded = load();
-    }
-    return loaded;
 }
 
 LoadedPasses Loader::load_passes()

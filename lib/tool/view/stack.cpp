@@ -101,21 +101,16 @@ bool runs_alike(const Plan& a, const Plan& b)
            std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(), same_steps);
 }
 
-Settings settings_by_place(const std::vector<PassArguments::Setting>& settings, const GraphDescription& description,
-                           const PassLibrary& library, std::vector<PassArguments::Setting>& unknown)
+Settings settings_by_place(const std::vector<PassArguments::Setting>& settings, const GraphDescription& description)
 {
     Settings by_place;
-    const Graph graph = build_graph(description, library);
     for (const PassArguments::Setting& setting : settings) {
         std::vector<std::string> places;
         follow(setting.name, description, 0, places);
-        if (graph.places_of(setting.name).empty())
-            unknown.push_back(setting);
-        else
-            for (const std::string& place : places) {
-                by_place[place] = setting;
-                by_place[place].name = place;
-            }
+        for (const std::string& place : places) {
+            by_place[place] = setting;
+            by_place[place].name = place;
+        }
     }
     return by_place;
 }

@@ -36,9 +36,7 @@ Result<Plan> plan_of_all_images(const Stack& stack, const PassLibrary& library, 
 /// True when the two plans differ in live values alone, so that one may run with the other's.
 bool runs_alike(const Plan& a, const Plan& b);
 
-/// Settings by name ("glow.sigma", or a param of the graph) as settings of the file's passes; names that the graph does
-/// not know go to `unknown`.
-Settings settings_by_place(const std::vector<PassArguments::Setting>& settings, const GraphDescription& description,
-                           const PassLibrary& library, std::vector<PassArguments::Setting>& unknown);
+/// Settings by name ("glow.sigma", or a param of the graph) as settings of the file's passes.
+Settings settings_by_place(const std::vector<PassArguments::Setting>& settings, const GraphDescription& description);
 
 } // namespace passgraph::tool::view

@@ -19,6 +19,7 @@ public:
     /// Goes on making the wanted plan. Returns what went wrong: the plan is then given up, and the one before runs on.
     Errors work();
     bool is_building() const { return coming_.has_value(); }
+    bool is_waiting() const { return wanted_.has_value(); } ///< there is something for `work`
     /// Share of the wanted plan that is made.
     float progress() const;
     /// The plan that runs may be drawn: there is one, and what it needs is there.
