@@ -11,9 +11,10 @@ namespace {
 void add_font(const std::vector<std::string>& files, float pixels)
 {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    static constexpr ImWchar kLetters[] = {0x0020, 0x00ff, 0x2010, 0x2027, 0}; // Latin, dashes and dots
     for (const std::string& file : files) {
         std::error_code failed; // ImGui asserts that the file is there
-        if (std::filesystem::is_regular_file(file, failed) && atlas.AddFontFromFileTTF(file.c_str(), pixels) != nullptr)
+        if (std::filesystem::is_regular_file(file, failed) && atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kLetters) != nullptr)
             return;
     }
     atlas.AddFontDefault();

@@ -52,6 +52,8 @@ public:
             if (!has_focus)
                 self(w).events_.push_back({.kind = WindowEvent::Kind::focus_lost});
         });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { self(w).is_damaged_ = true; });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w).is_damaged_ = true; });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).is_damaged_ = true; });
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w).is_damaged_ = true; });
         IMGUI_CHECKVERSION();
@@ -85,9 +87,8 @@ public:
 
     void take_button(int button, int action)
     {
+        is_damaged_ = true;
         if (button != GLFW_MOUSE_BUTTON_LEFT)
-            return;
-        if (action == GLFW_PRESS && ImGui::GetIO().WantCaptureMouse)
             return;
         double x = 0.0;
         double y = 0.0;
@@ -104,9 +105,21 @@ public:
         int height = 0;
         glfwGetWindowSize(window_, &width, &height);
         const Size drawable = size();
-        events_.push_back({.kind = kind,
-                           .x = width > 0 ? x * drawable.width / width : x,
-                           .y = height > 0 ? y * drawable.height / height : y});
+        const WindowEvent event{.kind = kind,
+                                .x = width > 0 ? x * drawable.width / width : x,
+                                .y = height > 0 ? y * drawable.height / height : y};
+        const bool waits = kind == WindowEvent::Kind::left_down || !held_.empty();
+        (waits ? held_ : events_).push_back(event);
+    }
+
+    /// Whose a press is, the user interface knows only when it has seen where the pointer went. What followed the press
+    /// has waited for that.
+    void release_held()
+    {
+        for (const WindowEvent& event : held_)
+            if (event.kind != WindowEvent::Kind::left_down || !ImGui::GetIO().WantCaptureMouse)
+                events_.push_back(event);
+        held_.clear();
     }
 
     struct Size {
@@ -141,6 +154,7 @@ public:
     std::unique_ptr<Context> context_;
     GLFWwindow* window_;
     std::vector<WindowEvent> events_;
+    std::vector<WindowEvent> held_; ///< of the mouse, from a press on
     bool is_damaged_ = true;
     int windowed_[4] = {0, 0, 640, 360}; ///< place and size before full screen
 };
@@ -160,7 +174,7 @@ GlLoader Window::loader() const { return impl_->context_->loader(); }
 
 std::vector<WindowEvent> Window::wait(double seconds)
 {
-    if (seconds > 0.0)
+    if (seconds > 0.0 && impl_->events_.empty() && impl_->held_.empty())
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
@@ -182,6 +196,7 @@ void Window::begin_interface()
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
+    impl_->release_held();
 }
 
 void Window::draw_interface()

@@ -44,7 +44,8 @@ public:
     std::vector<WindowEvent> wait(double seconds);
     /// Ends another thread's or its own `wait` early. May be called from any thread.
     static void wake();
-    /// True once when the window must be drawn again although nobody did anything (uncovered, resized).
+    /// True once when the window must be drawn again (uncovered, resized, or the user interface was touched). A press of the
+    /// mouse becomes an event only with the next `begin_interface`.
     bool take_damage();
 
     int width() const; ///< of the drawable, pixels; 0 while minimised

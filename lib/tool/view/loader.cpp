@@ -57,7 +57,7 @@ std::optional<LoadedScene> Loader::take_scene()
 bool Loader::is_busy()
 {
     const std::lock_guard lock(mutex_);
-    return wants_passes_ || wants_scene_ || is_working_;
+    return wants_passes_ || wants_scene_ || is_working_ || passes_ || scene_;
 }
 
 /// Loads; after errors once more as long as a file that is to blame is young.

@@ -53,6 +53,7 @@ public:
     /// The latest results, once.
     std::optional<LoadedPasses> take_passes();
     std::optional<LoadedScene> take_scene();
+    /// Something is to be read, or to be taken.
     bool is_busy();
 
 private:

@@ -36,7 +36,7 @@ void draw_help(const ViewState& state, const Surface& surface)
     std::vector<std::string> names;
     for (const Stack& stack : state.stacks)
         names.push_back(stack.name);
-    ImGui::SetNextWindowPos({static_cast<float>(surface.width) * 0.5f, static_cast<float>(surface.height) * 0.5f}, 0, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos({surface.free_width(state) * 0.5f, static_cast<float>(surface.height) * 0.5f}, 0, {0.5f, 0.5f});
     ImGui::SetNextWindowFocus();
     if (ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_NoInputs)) {
         for (const HelpLine& line : help_lines(names)) {
@@ -55,7 +55,7 @@ void draw_mistakes(const ViewState& state, const Surface& surface)
     const Errors errors = state.mistakes.all();
     if (errors.empty())
         return;
-    const float width = std::min(760.0f, static_cast<float>(surface.width) - 16.0f);
+    const float width = std::min(760.0f, surface.free_width(state) - 16.0f);
     ImGui::SetNextWindowPos({8.0f, 8.0f});
     ImGui::SetNextWindowSizeConstraints({std::min(width, 220.0f), 0.0f}, {width, static_cast<float>(surface.height) - 16.0f});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.24f, 0.05f, 0.05f, 0.93f));
@@ -94,10 +94,12 @@ void draw_answer(ViewState& state, const Inspector& inspector, const Surface& su
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.AddCircle({x, y}, 6.0f, IM_COL32(0, 0, 0, 200), 0, 3.0f);
     draw.AddCircle({x, y}, 6.0f, IM_COL32(255, 255, 255, 255), 0, 1.4f);
-    // Beside the place, on the side that has room.
-    const bool is_right = x > static_cast<float>(surface.width) * 0.45f;
+    // Above or below the place, where there is room; the size is that of the frame before.
+    const auto& [width, height] = state.answer_size;
     const bool is_low = y > static_cast<float>(surface.height) * 0.5f;
-    ImGui::SetNextWindowPos({is_right ? x - 14.0f : x + 14.0f, y}, 0, {is_right ? 1.0f : 0.0f, is_low ? 1.0f : 0.0f});
+    const float right = std::max(surface.free_width(state) - width - 8.0f, 8.0f);
+    const float bottom = std::max(static_cast<float>(surface.height) - height - 8.0f, 8.0f);
+    ImGui::SetNextWindowPos({std::clamp(x - width * 0.5f, 8.0f, right), std::clamp(is_low ? y - height - 14.0f : y + 14.0f, 8.0f, bottom)});
     if (ImGui::Begin("values", nullptr, kStill)) {
         const MonoFont mono;
         if (inspector.is_asked() && inspector.answer().empty())
@@ -111,6 +113,7 @@ void draw_answer(ViewState& state, const Inspector& inspector, const Surface& su
         }
         if (!inspector.answer().empty() && ImGui::SmallButton("close"))
             orders.closes_answer = true;
+        state.answer_size = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     }
     ImGui::End();
 }

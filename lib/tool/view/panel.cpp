@@ -55,6 +55,11 @@ void draw_saving(ViewState& state, PanelOrders& orders)
 
 } // namespace
 
+float Surface::free_width(const ViewState& state) const
+{
+    return static_cast<float>(width) - (state.shows_panel ? kPanelWidth + 8.0f : 0.0f);
+}
+
 PanelOrders draw_interface(ViewState& state, const Stage& stage, const Inspector& inspector, const Surface& surface)
 {
     PanelOrders orders;

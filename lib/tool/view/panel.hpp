@@ -12,6 +12,9 @@ struct Surface {
     int width = 0;
     int height = 0;
     double now = 0.0; ///< seconds
+
+    /// Of what the panel leaves free.
+    float free_width(const ViewState& state) const;
 };
 
 /// Draws everything that is open; returns what a person asked for.

@@ -104,7 +104,7 @@ void draw_control(Control& control, Settings& settings, PanelOrders& orders)
     ImGui::TextUnformatted(control.label.c_str());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", control.help.c_str());
-    ImGui::SameLine(108.0f);
+    ImGui::SameLine(124.0f);
     const bool is_changed_before = settings.contains(control.place);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - (is_changed_before ? 30.0f : 0.0f));
     Value value = control.value;

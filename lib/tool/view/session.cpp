@@ -229,7 +229,7 @@ void Session::present()
     const PanelOrders orders = draw_interface(state_, stage_, inspector_, {window_extent_.width, window_extent_.height, now()});
     window_->draw_interface();
     window_->show();
-    if (change_ && !stage_.is_building() && !needs_plan_ && !loader_->is_busy() && !needs_frame_)
+    if (change_ && !stage_.is_waiting() && !needs_plan_ && !loader_->is_busy() && !needs_frame_)
         tell_how_long();
     obey(orders);
 }

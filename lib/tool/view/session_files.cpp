@@ -121,7 +121,7 @@ void Session::plan_again()
     Result<Plan> plan = plan_of(state_.stack(), *state_.library, compile_options());
     if (plan) {
         stage_.want(std::move(*plan));
-        needs_frame_ = true; // of the plan that runs: a live value may have changed
+        needs_frame_ |= !stage_.is_waiting(); // live values alone have changed; else the coming plan draws
     } else {
         state_.mistakes.plan = plan.error();
     }

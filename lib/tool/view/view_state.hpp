@@ -1,6 +1,7 @@
 // What the window shows and what its panel changes: plain data between the session and the user interface.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct ViewState {
     std::string notice;            ///< a line that fades
     double notice_until = 0.0;     ///< seconds of the window's clock
     std::optional<std::array<double, 2>> probed; ///< where the last click was, in the picture
+    std::array<float, 2> answer_size{};          ///< of the values' window, pixels
 
     std::vector<PassControls> controls;  ///< of the current stack
     std::vector<std::string> images;     ///< of the current stack
