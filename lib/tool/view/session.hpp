@@ -93,6 +93,7 @@ private:
     void work_on_plans();
     void tell(const Errors& before, const Errors& after) const;
     void tell_how_long();
+    void print_answer() const;
 
     const ViewOptions options_;
     const Device device_;

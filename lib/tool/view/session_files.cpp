@@ -1,7 +1,9 @@
 // What changes under the window: files, and the plans that are made of them.
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tool/view/scene_files.hpp"
 #include "tool/view/session.hpp"
@@ -154,12 +156,21 @@ void Session::work_on_plans()
     const Camera camera = flight_ ? flight_->camera() : Camera{};
     const CompileOptions options = compile_options();
     if (inspector_.is_asked()) {
-        inspector_.work_on_answer(inspected(flight_ ? &camera : nullptr, options));
+        if (inspector_.work_on_answer(inspected(flight_ ? &camera : nullptr, options)))
+            print_answer();
         presents_ = 3;
     } else if (state_.shows_panel && state_.shows_thumbnails && inspector_.has_old_thumbnails() && now() - last_change_ > kThumbnailsAfter) {
         inspector_.work_on_thumbnails(inspected(flight_ ? &camera : nullptr, options));
         presents_ = 3;
     }
+}
+
+/// The values as data, too: a line per image, with the texel and its numbers.
+void Session::print_answer() const
+{
+    for (const ProbedValue& probed : inspector_.answer())
+        fmt::print("{} {},{} {}\n", probed.image, probed.x, probed.y, fmt::join(probed.values, " "));
+    std::fflush(stdout);
 }
 
 void Session::tell_how_long()
