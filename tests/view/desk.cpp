@@ -147,13 +147,15 @@ Desk::Desk(const std::vector<std::string>& more_words)
                                       "--passes", path("passes")};
     words.insert(words.end(), more_words.begin(), more_words.end());
     program_ = start(words, path("stdout"), path("stderr"));
-    INFO(messages());
-    REQUIRE(comes_true([&] {
+    const bool is_there = comes_true([&] {
         window_ = run("xdotool search --onlyvisible --name passgraph 2>/dev/null | tail -1");
         window_.erase(std::remove(window_.begin(), window_.end(), '\n'), window_.end());
         return !window_.empty() || !is_running();
-    }));
-    REQUIRE(is_running());
+    });
+    const bool runs = is_running();
+    INFO("exit code " << exit_code_ << "\n" << messages());
+    REQUIRE(runs);
+    REQUIRE(is_there);
     // The manager gives it the keyboard; it may still be busy with the frame.
     CHECK(comes_true([&] { return run("xdotool getwindowfocus 2>/dev/null").starts_with(window_); }));
 }

@@ -73,6 +73,14 @@ void FileWatch::watch(WatchedPaths paths)
     std::erase_if(known_, [&](const auto& known) { return !now.contains(known.first); });
 }
 
+fs::file_time_type FileWatch::latest(const WatchedPaths& paths)
+{
+    fs::file_time_type latest = fs::file_time_type::min();
+    for (const auto& [path, look] : FileWatch(paths).known_)
+        latest = std::max(latest, look.time);
+    return latest;
+}
+
 fs::file_time_type FileWatch::latest(const std::vector<std::string>& files)
 {
     fs::file_time_type latest = fs::file_time_type::min();

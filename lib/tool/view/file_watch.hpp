@@ -29,6 +29,7 @@ public:
 
     /// When the latest of these files was written; the clock's start when none is there.
     static std::filesystem::file_time_type latest(const std::vector<std::string>& files);
+    static std::filesystem::file_time_type latest(const WatchedPaths& paths);
 
 private:
     struct Look {

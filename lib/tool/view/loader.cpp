@@ -5,7 +5,7 @@
 #include <passgraph/shader/pass_file.hpp>
 
 #include "tool/library.hpp"
-#include "tool/view/file_watch.hpp"
+#include "tool/view/scene_files.hpp"
 
 namespace passgraph::tool::view {
 
@@ -60,16 +60,13 @@ bool Loader::is_busy()
     return wants_passes_ || wants_scene_ || is_working_ || passes_ || scene_;
 }
 
-/// Loads; after errors once more as long as a file that is to blame is young.
-template <class Load> auto Loader::load_settled(const Load& load, const std::vector<std::string>& files)
+/// Loads; after errors once more as long as one of the files is young.
+template <class Load> auto Loader::load_settled(const Load& load, const WatchedPaths& files)
 {
     auto loaded = load();
     // A clock of another machine may be ahead for ever, so the number of tries is bounded.
     for (int tries = 0; !loaded.errors.empty() && tries < 8; ++tries) {
-        std::vector<std::string> blamed = files;
-        for (const Error& error : loaded.errors)
-            blamed.push_back(error.where.file);
-        const auto age = std::filesystem::file_time_type::clock::now() - FileWatch::latest(blamed);
+        const auto age = std::filesystem::file_time_type::clock::now() - FileWatch::latest(files);
         std::unique_lock lock(mutex_);
         if (age > kSettled || changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return is_ending_; }))
             break;
@@ -93,9 +90,9 @@ void Loader::work()
         std::optional<LoadedPasses> passes;
         std::optional<LoadedScene> scene;
         if (reads_passes)
-            passes = load_settled([this] { return load_passes(); }, files_.graphs);
+            passes = load_settled([this] { return load_passes(); }, {files_.graphs, files_.pass_folders});
         if (reads_scene)
-            scene = load_settled([this] { return load_scene_file(); }, {files_.scene});
+            scene = load_settled([this] { return load_scene_file(); }, {files_of_scene(files_.scene), {}});
         lock.lock();
         is_working_ = false;
         if (passes)

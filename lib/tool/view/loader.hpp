@@ -15,6 +15,8 @@
 #include <passgraph/scene/scene.hpp>
 #include <passgraph/shader/pass_file_cache.hpp>
 
+#include "tool/view/file_watch.hpp"
+
 namespace passgraph::tool::view {
 
 /// What is read, and from where.
@@ -60,7 +62,7 @@ private:
     void work();
     LoadedPasses load_passes();
     LoadedScene load_scene_file() const;
-    template <class Load> auto load_settled(const Load& load, const std::vector<std::string>& files);
+    template <class Load> auto load_settled(const Load& load, const WatchedPaths& files);
 
     const LoaderFiles files_;
     const std::function<void()> on_done_;

@@ -175,8 +175,9 @@ void Session::reset_camera()
 void Session::ask_at(double x, double y)
 {
     const Presenter::Place place = Presenter::place_of(stage_.plan().extent, window_extent_);
-    const double u = (x - place.x) / place.extent.width;
-    const double v = (window_extent_.height - y - place.y) / place.extent.height;
+    // The pointer's place is a pixel's corner; its middle is half a pixel on.
+    const double u = (x + 0.5 - place.x) / place.extent.width;
+    const double v = (window_extent_.height - y - 0.5 - place.y) / place.extent.height;
     if (u < 0.0 || u >= 1.0 || v < 0.0 || v >= 1.0)
         return;
     state_.probed = {u, v};
