@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "context/glfw.hpp"
 #include "context/kinds.hpp"
 
 namespace passgraph::context_kinds
@@ -61,6 +62,7 @@ public:
     }
     GlLoader loader() const override { return load_gl; }
     ContextKind kind() const override { return ContextKind::glfw; }
+    GLFWwindow* window() const { return window_; }
 
 private:
     GLFWwindow* window_;
@@ -83,6 +85,11 @@ GLFWwindow* create_window(const ContextOptions& options)
 }
 
 } // namespace
+
+GLFWwindow* window_of(const Context& context)
+{
+    return static_cast<const GlfwContext&>(context).window();
+}
 
 Created create_glfw(const ContextOptions& options)
 {

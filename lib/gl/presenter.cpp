@@ -72,6 +72,8 @@ Value value_of(const Vec3& v)
     return {v[0], v[1], v[2]};
 }
 
+constexpr GLfloat kRim[] = {0.035f, 0.035f, 0.04f, 1.0f}; // beside the image
+
 } // namespace
 
 class Presenter::Impl {
@@ -79,6 +81,7 @@ public:
     explicit Impl(gl::Driver&& driver) : driver_(std::move(driver)), state_(driver_), samplers_(driver_) {}
 
     Result<void> show(const ShownImage& image, Extent window);
+    Result<void> clear();
     Result<HostTexture> keep(size_t index, const ShownImage& image, Extent extent);
     Result<Picture> read(const ShownImage& image);
 
@@ -169,11 +172,21 @@ Result<void> Presenter::Impl::show(const ShownImage& image, Extent window)
     gl::Upload upload{driver_, state_, watch};
     begin(upload);
     state_.draw_framebuffer(0);
-    constexpr GLfloat kRim[] = {0.035f, 0.035f, 0.04f, 1.0f};
     const Place place = place_of(image.texture.extent, window);
     if (place.extent != window)
         driver_.gl.ClearBufferfv(GL_COLOR, 0, kRim);
     return draw(upload, image, place);
+}
+
+Result<void> Presenter::Impl::clear()
+{
+    gl::ErrorWatch watch(driver_);
+    state_.reset();
+    state_.draw_framebuffer(0);
+    driver_.gl.ClearBufferfv(GL_COLOR, 0, kRim);
+    if (Errors errors = watch.take(); !errors.empty())
+        return tl::unexpected(std::move(errors));
+    return {};
 }
 
 void Presenter::Impl::fit(gl::Upload& upload, Target& target, Extent extent)
@@ -247,6 +260,10 @@ Result<Presenter> Presenter::create(GlLoader loader)
 Result<void> Presenter::show(const ShownImage& image, Extent window)
 {
     return impl_->show(image, window);
+}
+Result<void> Presenter::clear()
+{
+    return impl_->clear();
 }
 Result<HostTexture> Presenter::keep(size_t index, const ShownImage& image, Extent extent)
 {

@@ -120,6 +120,10 @@ bool PreparedPlan::is_ready() const
 {
     return impl_->objects.is_complete();
 }
+size_t PreparedPlan::steps_made() const
+{
+    return impl_->objects.steps.size();
+}
 const Plan& PreparedPlan::plan() const
 {
     return impl_->objects.plan;

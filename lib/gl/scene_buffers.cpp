@@ -129,6 +129,7 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
     buffers.element_levels = element_levels(scene, *atlas);
     buffers.places = {.extent = atlas->extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(atlas->cells)};
     buffers.draws = sorted_draws(scene);
+    buffers.element_rows.resize(scene.elements.size() * glsl::kElementRows); // a plan may be warmed up before any camera
     buffers.lights = create_buffer_texture(upload, scene.lights.size() * glsl::kLightTexels);
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));

@@ -105,7 +105,8 @@ Result<PassPtr> load_pass_file(const std::string& path, const std::string& fallb
                      common_folders_of(fs::path(path), fallback_common));
 }
 
-Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, const std::string& fallback_common)
+Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, const std::string& fallback_common,
+                              PassFileCache* cache)
 {
     std::error_code code;
     if (!fs::is_directory(folder, code))
@@ -125,7 +126,8 @@ Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, c
     for (const fs::path& file : files) {
         const std::string name = file.filename().string();
         if (name.ends_with(".glsl")) {
-            auto pass = load_pass_file(file.string(), fallback_common);
+            auto pass = cache != nullptr ? cache->load(file.string(), fallback_common)
+                                         : load_pass_file(file.string(), fallback_common);
             if (pass)
                 library.add(*pass);
             else

@@ -122,6 +122,11 @@ CLI::Option* add_pairs(CLI::App& command, const std::string& flag, std::vector<s
     return command.add_option(flag, words, help)->allow_extra_args(false)->check(CLI::Validator(refuse_no_pair, "NAME=VALUE"));
 }
 
+CLI::Option* add_extent(CLI::App& command, const std::string& flag, std::string& word, const std::string& help)
+{
+    return command.add_option(flag, word, help)->check(CLI::Validator(refuse_no_extent, "WxH"));
+}
+
 CLI::Option* add_steps(CLI::App& command, const std::string& flag, std::string& words, const std::string& help)
 {
     return command.add_option(flag, words, help)->check(CLI::Validator(refuse_unknown_steps, "LIST"));
@@ -146,8 +151,7 @@ void add_to(CLI::App& command, SourceOptions& options)
     command.add_option("--scene", options.scene, "The scene file")->type_name("FILE");
     add_pairs(command, "--in", options.pictures, "A picture for an input; for a cube map a folder with px nx py ny pz nz")
         ->type_name("NAME=FILE");
-    command.add_option("--size", options.size, "The extent; else the first picture's, else 1280x720")
-        ->check(CLI::Validator(refuse_no_extent, "WxH"));
+    add_extent(command, "--size", options.size, "The extent; else the first picture's, else 1280x720");
 }
 
 void add_to(CLI::App& command, CompilerOptions& options)

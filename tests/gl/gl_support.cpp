@@ -72,6 +72,11 @@ void APIENTRY spy_UseProgram(GLuint id)
     ++spy().calls["glUseProgram"];
     real<PFNGLUSEPROGRAMPROC>("glUseProgram")(id);
 }
+void APIENTRY spy_LinkProgram(GLuint id)
+{
+    ++spy().calls["glLinkProgram"];
+    real<PFNGLLINKPROGRAMPROC>("glLinkProgram")(id);
+}
 void APIENTRY spy_BindTexture(GLenum target, GLuint id)
 {
     ++spy().calls["glBindTexture"];
@@ -140,7 +145,7 @@ void* spy_function(const std::string& name)
             PASSGRAPH_SPY_ROW(DeleteTextures) PASSGRAPH_SPY_ROW(DeleteFramebuffers) PASSGRAPH_SPY_ROW(DeleteSamplers)
                 PASSGRAPH_SPY_ROW(DeleteVertexArrays) PASSGRAPH_SPY_ROW(DeleteBuffers) PASSGRAPH_SPY_ROW(DeleteQueries)
                     PASSGRAPH_SPY_ROW(CreateProgram) PASSGRAPH_SPY_ROW(CreateShader) PASSGRAPH_SPY_ROW(DeleteProgram)
-                        PASSGRAPH_SPY_ROW(DeleteShader) PASSGRAPH_SPY_ROW(UseProgram) PASSGRAPH_SPY_ROW(BindTexture)
+                        PASSGRAPH_SPY_ROW(DeleteShader) PASSGRAPH_SPY_ROW(UseProgram) PASSGRAPH_SPY_ROW(LinkProgram) PASSGRAPH_SPY_ROW(BindTexture)
                             PASSGRAPH_SPY_ROW(Viewport) PASSGRAPH_SPY_ROW(Uniform1fv) PASSGRAPH_SPY_ROW(BufferSubData)
                                 PASSGRAPH_SPY_ROW(GetUniformLocation) PASSGRAPH_SPY_ROW(GetIntegerv)
                                     PASSGRAPH_SPY_ROW(CheckFramebufferStatus) PASSGRAPH_SPY_ROW(TexImage2D)

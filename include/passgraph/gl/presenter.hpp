@@ -33,6 +33,8 @@ public:
     /// Fills the default framebuffer: the image as large as fits with its aspect kept, the rest dark.
     /// Errors   gl_error.
     Result<void> show(const ShownImage& image, Extent window);
+    /// Fills the default framebuffer with the color beside images.
+    Result<void> clear();
     /// Where `show` puts an image in a window: from the bottom left, in pixels.
     struct Place {
         int x = 0;

@@ -59,6 +59,7 @@ public:
 
     const Plan& plan() const;
     bool is_ready() const; ///< nothing is left to be made
+    size_t steps_made() const;
 
 private:
     friend class Renderer;

@@ -6,6 +6,7 @@
 
 #include <passgraph/core/error.hpp>
 #include <passgraph/core/pass_library.hpp>
+#include <passgraph/shader/pass_file_cache.hpp>
 
 namespace passgraph {
 
@@ -23,7 +24,9 @@ Result<PassPtr> read_pass(const std::string& text, const std::string& file, cons
 Result<PassPtr> load_pass_file(const std::string& path, const std::string& fallback_common = "");
 
 /// Adds every pass of a folder and its subfolders (except `common`): NAME.glsl, then NAME.graph.json composites.
+/// With a cache, files that did not change since it last saw them are not read again.
 /// Errors   all mistakes of all files; passes without mistakes are added all the same.
-Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, const std::string& fallback_common = "");
+Result<void> load_pass_folder(const std::string& folder, PassLibrary& library, const std::string& fallback_common = "",
+                              PassFileCache* cache = nullptr);
 
 } // namespace passgraph

@@ -1,0 +1,77 @@
+// What a frame costs, and the plan in words.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "tool/view/panel.hpp"
+
+namespace passgraph::tool::view {
+namespace {
+
+double megabytes(const Plan& plan, const Plan::Step& step)
+{
+    std::int64_t bytes = 0;
+    const auto add = [&](int slot) {
+        const Plan::Slot& row = plan.slots[static_cast<size_t>(slot)];
+        bytes += static_cast<std::int64_t>(row.extent.width) * row.extent.height * bytes_per_texel(row.format);
+    };
+    for (const Plan::Target& target : step.targets)
+        add(target.slot);
+    if (step.depth_slot >= 0)
+        add(step.depth_slot);
+    return static_cast<double>(bytes) / (1024.0 * 1024.0);
+}
+
+} // namespace
+
+void draw_costs(const Stage& stage)
+{
+    const Plan& plan = stage.plan();
+    if (!stage.is_ready())
+        return;
+    ImGui::Text("%.0f ms", stage.frame_ms());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%d x %d, %zu step%s, %.1f MB", plan.extent.width, plan.extent.height, plan.steps.size(), plan.steps.size() == 1 ? "" : "s",
+                        static_cast<double>(plan.bytes) / (1024.0 * 1024.0));
+    if (stage.is_building())
+        ImGui::ProgressBar(stage.progress(), {-1.0f, 6.0f}, "");
+    if (!ImGui::CollapsingHeader("Steps"))
+        return;
+    if (!ImGui::BeginTable("steps", 3, ImGuiTableFlags_SizingStretchProp))
+        return;
+    ImGui::TableSetupColumn("step", 0, 6.0f);
+    ImGui::TableSetupColumn("ms", 0, 1.6f);
+    ImGui::TableSetupColumn("MB", 0, 1.4f);
+    const auto& times = stage.step_times();
+    double longest = 1e-3;
+    for (const StepTime& time : times)
+        longest = std::max(longest, time.milliseconds);
+    for (size_t i = 0; i < plan.steps.size() && i < times.size(); ++i) {
+        const Plan::Step& step = plan.steps[i];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(step.name.c_str());
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s\n%d x %d", step.name.c_str(), step.extent.width, step.extent.height);
+        ImGui::TableNextColumn();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x * static_cast<float>(std::max(times[i].milliseconds, 0.0) / longest);
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
+                                                  ImGui::GetColorU32(ImGuiCol_PlotHistogram, 0.35f), 2.0f);
+        ImGui::Text("%.1f", times[i].milliseconds);
+        ImGui::TableNextColumn();
+        ImGui::Text("%.1f", megabytes(plan, step));
+    }
+    ImGui::EndTable();
+}
+
+void draw_plan(const Stage& stage)
+{
+    const MonoFont mono;
+    if (ImGui::BeginChild("plan", {0.0f, 260.0f}, false, ImGuiWindowFlags_HorizontalScrollbar))
+        ImGui::TextUnformatted(to_text(stage.plan()).c_str());
+    ImGui::EndChild();
+}
+
+} // namespace passgraph::tool::view

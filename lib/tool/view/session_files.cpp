@@ -1,0 +1,185 @@
+// What changes under the window: files, and the plans that are made of them.
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tool/view/scene_files.hpp"
+#include "tool/view/session.hpp"
+
+namespace passgraph::tool::view {
+namespace {
+
+constexpr double kResizeSettles = 0.08;  // seconds: a plan is made for an extent that stays this long
+constexpr double kThumbnailsAfter = 0.2; // seconds of rest
+
+bool is_of_passes(const std::string& file)
+{
+    return file.ends_with(".glsl") || file.ends_with(".graph.json");
+}
+
+std::string file_name(const std::string& path)
+{
+    return std::filesystem::path(path).filename().string();
+}
+
+bool same_camera(const Camera& a, const Camera& b)
+{
+    return a.position == b.position && a.direction == b.direction && a.up == b.up && a.vertical_fov == b.vertical_fov &&
+           a.near_plane == b.near_plane && a.far_plane == b.far_plane;
+}
+
+} // namespace
+
+WatchedPaths watched_paths(const ViewOptions& options)
+{
+    WatchedPaths paths{options.graphs, options.pass_folders};
+    if (!options.scene.empty())
+        for (std::string& file : files_of_scene(options.scene))
+            paths.files.push_back(std::move(file));
+    return paths;
+}
+
+void Session::watch_files()
+{
+    const std::vector<std::string> changed = watch_.look();
+    if (changed.empty())
+        return;
+    const auto is_graph = [&](const std::string& file) {
+        return std::find(options_.graphs.begin(), options_.graphs.end(), file) != options_.graphs.end() || is_of_passes(file);
+    };
+    if (std::any_of(changed.begin(), changed.end(), is_graph))
+        loader_->request_passes();
+    if (!options_.scene.empty() && !std::all_of(changed.begin(), changed.end(), is_graph))
+        loader_->request_scene();
+    change_ = Change{changed.size() == 1 ? file_name(changed.front()) : fmt::format("{} files", changed.size()), FileWatch::latest(changed)};
+}
+
+/// Mistakes go to the terminal once: those that were not there before.
+void Session::tell(const Errors& before, const Errors& after) const
+{
+    const auto same = [](const Error& a, const Error& b) { return a.code == b.code && a.message == b.message && a.where == b.where; };
+    for (const Error& error : after)
+        if (std::none_of(before.begin(), before.end(), [&](const Error& old) { return same(old, error); }))
+            fmt::print(stderr, "{}\n", to_text(error));
+}
+
+void Session::take_loaded()
+{
+    if (std::optional<LoadedPasses> loaded = loader_->take_passes()) {
+        const Errors before = std::exchange(state_.mistakes.passes, std::move(loaded->errors));
+        tell(before, state_.mistakes.passes);
+        state_.library = std::move(loaded->library);
+        for (size_t i = 0; i < state_.stacks.size(); ++i)
+            if (loaded->graphs[i])
+                state_.stacks[i].description = std::move(loaded->graphs[i]);
+        refresh_controls();
+        needs_plan_ = true;
+        presents_ = 3;
+    }
+    if (std::optional<LoadedScene> loaded = loader_->take_scene())
+        take_scene(std::move(*loaded));
+}
+
+void Session::take_scene(LoadedScene loaded)
+{
+    const Errors before = std::exchange(state_.mistakes.scene, std::move(loaded.errors));
+    presents_ = 3;
+    if (loaded.scene) {
+        if (const Result<void> set = stage_.set_scene(loaded.scene); !set) {
+            state_.mistakes.scene = set.error();
+        } else {
+            // A flight goes on, unless the file has another camera now.
+            const bool is_same_camera = scene_ && same_camera(scene_->camera, loaded.scene->camera);
+            scene_ = std::move(loaded.scene);
+            if (!is_same_camera)
+                reset_camera();
+            needs_frame_ = true;
+            inspector_.plan_changed();
+            watch_.watch(watched_paths(options_)); // it may name other models now
+        }
+    }
+    tell(before, state_.mistakes.scene);
+}
+
+void Session::refresh_controls()
+{
+    if (!state_.stack().description)
+        return;
+    state_.controls = controls_of(*state_.stack().description, *state_.library, state_.stack().settings);
+    state_.images = images_of(state_.stack(), *state_.library);
+    Stack& stack = state_.stack();
+    if (std::find(state_.images.begin(), state_.images.end(), stack.shown) == state_.images.end())
+        stack.shown.clear(); // the graph has lost it
+}
+
+void Session::plan_again()
+{
+    needs_plan_ = false;
+    planned_extent_ = wanted_extent();
+    inspector_.plan_changed();
+    const Errors before = std::exchange(state_.mistakes.plan, {});
+    Result<Plan> plan = plan_of(state_.stack(), *state_.library, compile_options());
+    if (plan) {
+        stage_.want(std::move(*plan));
+        needs_frame_ |= !stage_.is_waiting(); // live values alone have changed; else the coming plan draws
+    } else {
+        state_.mistakes.plan = plan.error();
+    }
+    tell(before, state_.mistakes.plan);
+}
+
+void Session::work_on_plans()
+{
+    const Extent extent{window_->width(), window_->height()};
+    if (!(extent == window_extent_)) {
+        window_extent_ = extent;
+        resized_at_ = now();
+        presents_ = 3;
+    }
+    const bool is_first = planned_extent_ == Extent{};
+    const bool is_settled = is_first || now() - resized_at_ >= kResizeSettles;
+    if (needs_plan_ || (!(wanted_extent() == planned_extent_) && is_settled))
+        plan_again();
+    if (stage_.is_waiting()) {
+        const bool was_ready = stage_.is_ready();
+        const Errors errors = stage_.work();
+        if (!errors.empty()) {
+            tell(state_.mistakes.plan, errors);
+            state_.mistakes.plan = errors;
+        }
+        needs_frame_ |= !stage_.is_waiting() && errors.empty();
+        presents_ = std::max(presents_, was_ready ? 1 : 2);
+        return;
+    }
+    const Camera camera = flight_ ? flight_->camera() : Camera{};
+    const CompileOptions options = compile_options();
+    if (inspector_.is_asked()) {
+        if (inspector_.work_on_answer(inspected(flight_ ? &camera : nullptr, options)))
+            print_answer();
+        presents_ = 3;
+    } else if (state_.shows_panel && state_.shows_thumbnails && inspector_.has_old_thumbnails() && now() - last_change_ > kThumbnailsAfter) {
+        inspector_.work_on_thumbnails(inspected(flight_ ? &camera : nullptr, options));
+        presents_ = 3;
+    }
+}
+
+/// The values as data, too: a line per image, with the texel and its numbers.
+void Session::print_answer() const
+{
+    for (const ProbedValue& probed : inspector_.answer())
+        fmt::print("{} {},{} {}\n", probed.image, probed.x, probed.y, fmt::join(probed.values, " "));
+    std::fflush(stdout);
+}
+
+void Session::tell_how_long()
+{
+    const auto age = std::filesystem::file_time_type::clock::now() - change_->saved;
+    const double ms = std::chrono::duration<double, std::milli>(age).count();
+    if (state_.mistakes.all().empty())
+        say(fmt::format("{}: seen {:.0f} ms after it was saved", change_->what, ms));
+    change_.reset();
+}
+
+} // namespace passgraph::tool::view
