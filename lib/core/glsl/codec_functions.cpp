@@ -80,8 +80,7 @@ std::string glsl_encode_call(Signal signal, const Codec& codec, std::string_view
 {
     switch (codec.packing) {
     case Packing::octahedral:
-        return fmt::format("vec4(passgraph_octahedral_encode({}, {}), 0.0, 1.0)", value,
-                           codec.format == Format::rg8 ? "255.0" : "65535.0");
+        return fmt::format("vec4(passgraph_octahedral_encode({}, {}.0), 0.0, 1.0)", value, largest_code(codec.format));
     case Packing::signed_10:
         return fmt::format("vec4(passgraph_signed_10_encode({}), 1.0)", value);
     case Packing::sphere_map:
@@ -107,8 +106,7 @@ std::string glsl_decode_call(Signal signal, const Codec& codec, std::string_view
 {
     switch (codec.packing) {
     case Packing::octahedral:
-        return fmt::format("passgraph_octahedral_decode({}.rg, {})", texel,
-                           codec.format == Format::rg8 ? "255.0" : "65535.0");
+        return fmt::format("passgraph_octahedral_decode({}.rg, {}.0)", texel, largest_code(codec.format));
     case Packing::signed_10:
         return fmt::format("passgraph_signed_10_decode({}.rgb)", texel);
     case Packing::sphere_map:

@@ -24,10 +24,6 @@ vec3 keep_{0}(vec2 uv) {{ return value(uv); }}
 
 // Signals whose guard leaves every finite vector alone (`position`) carry what has no signal of its own.
 constexpr Probe kProbes[] = {
-    {"depth_to_position", R"(/*{ "pass": "depth_to_position", "reads": ["camera"],
-  "inputs": { "depth": "depth" }, "outputs": { "place": "position" } }*/
-vec3 depth_to_position(vec2 uv) { return view_ray(uv) * view_distance(depth(uv)); }
-)"},
     {"ggx_density", R"(/*{ "pass": "ggx_density",
   "inputs": { "normals": "position", "halves": "position" }, "outputs": { "density": "position" },
   "params": { "roughness": { "type": "float", "default": 0.045, "range": [0, 1], "static": true } },

@@ -100,7 +100,7 @@ Rung position_rung(const std::string& name, const std::string& what, const std::
 {
     const bool is_stored = image == "position";
     const std::string reader = is_stored ? R"("pass": "keep_position", "inputs": { "value": "surface.position" }, "codecs": { "kept": "rgba32f" })"
-                                         : R"("pass": "depth_to_position", "inputs": { "depth": "surface.depth" }, "codecs": { "place": "rgba32f" })";
+                                         : R"("pass": "position_from_depth", "inputs": { "depth": "surface.depth" }, "codecs": { "position": "rgba32f" })";
     return {.name = name,
             .what = what,
             .graph = fmt::format(R"({{ "passgraph": 1, "inputs": {{ "scene": {{ "kind": "scene" }} }},
@@ -139,9 +139,11 @@ Ladder normal_codec()
     ladder.rungs = {
         codec_rung("normal", "octahedral_rg8", "folded onto a square, 8 bits per axis", 0.95),
         codec_rung("normal", "octahedral_rg10", "folded onto a square, 10 bits per axis of rgb10_a2", 0.237),
+        codec_rung("normal", "sphere_map_rg16", "Lambert's azimuthal projection, 16 bits per axis", 0.16),
         codec_rung("normal", "rgb10_a2", "the three components, 10 bits each", 0.0972),
         codec_rung("normal", "rgba16f", "the three components, binary16", 0.0396),
         codec_rung("normal", "octahedral_rg16", "folded onto a square, 16 bits per axis", 0.004, true),
+        codec_rung("normal", "sphere_map_rg32f", "Lambert's azimuthal projection, binary32", 0.16),
         // Guard, store and load: a normalisation of 3 roundings on each side of it.
         codec_rung("normal", "rgba32f", "the three components, binary32", 3e-5),
     };
