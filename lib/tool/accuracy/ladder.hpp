@@ -49,7 +49,7 @@ struct Rung {
     NamePairs codecs{};   ///< "stored.kept" = "rgba16f"
     double bound = 0.0;   ///< the error is at most this, by derivation
     bool is_default = false;
-    bool is_as_exact_as_before = false; ///< claimed: its error is not above that of the rung listed before
+    std::string no_worse_than{}; ///< claimed: its error is not above this rung's; "": nothing is claimed
     bool has_guards = true;
 };
 

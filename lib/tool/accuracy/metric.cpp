@@ -11,9 +11,6 @@
 namespace passgraph::accuracy {
 namespace {
 
-// Below it a true value counts as 0 and differences are measured against this instead: binary32 has few digits left there.
-constexpr double kSmallest = 1e-30;
-
 bool is_finite(const float* got, int components)
 {
     return std::all_of(got, got + components, [](float value) { return std::isfinite(value); });
@@ -34,9 +31,9 @@ double relative(const Metric& metric, const double* truth, const float* got, int
     for (int c = 0; c < components; ++c) {
         const double off = std::abs(got[c] - truth[c]);
         difference += off * off;
-        worst = std::max(worst, off / std::max(std::abs(truth[c]), kSmallest));
+        worst = std::max(worst, off / std::max(std::abs(truth[c]), metric.smallest));
     }
-    return metric.is_per_component ? worst : std::sqrt(difference) / std::max(length(truth, components), kSmallest);
+    return metric.is_per_component ? worst : std::sqrt(difference) / std::max(length(truth, components), metric.smallest);
 }
 
 double distance(const Metric& metric, const double* truth, const float* got, int components)
@@ -116,14 +113,14 @@ double signed_difference(const Metric& metric, const Truth& truth, const Picture
     const double* exact = truth.at(x, y);
     const float* got = &result.texels[result.index(x, y)];
     const bool is_relative = metric.distance == Distance::relative || metric.distance == Distance::is_wrong;
-    const double whole = std::max(length(exact, truth.components), kSmallest);
+    const double whole = std::max(length(exact, truth.components), metric.smallest);
     double worst = 0.0;
     for (int c = 0; c < truth.components; ++c) {
         if (!std::isfinite(got[c]))
             return std::numeric_limits<double>::quiet_NaN();
         double off = got[c] - exact[c];
         if (is_relative)
-            off /= metric.is_per_component ? std::max(std::abs(exact[c]), kSmallest) : whole;
+            off /= metric.is_per_component ? std::max(std::abs(exact[c]), metric.smallest) : whole;
         if (std::abs(off) > std::abs(worst))
             worst = off;
     }

@@ -28,6 +28,7 @@ struct Metric {
     Summary summary = Summary::largest;
     double tolerance = 0.0; ///< of is_wrong
     bool is_per_component = false; ///< relative: each component by itself, the worst of them
+    double smallest = 1e-30;       ///< relative: true values below it are measured against it
 };
 
 /// A result against the truth. Statistics leave out texels that are not finite; those are counted apart.

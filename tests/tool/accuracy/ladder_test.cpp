@@ -73,8 +73,8 @@ TEST_CASE("every rung is within its derived bound, and no rung is less exact tha
                    rungs[i].deviation.non_finite, rungs[i].worst_input.c_str(), figures.c_str(), rungs[i].bytes_per_pixel);
             CAPTURE(ladder.name, rungs[i].rung.name, rungs[i].worst_input);
             CHECK(rungs[i].deviation.error <= rungs[i].rung.bound);
-            if (rungs[i].rung.is_as_exact_as_before)
-                CHECK(rungs[i].deviation.error <= rungs[i - 1].deviation.error);
+            if (!rungs[i].rung.no_worse_than.empty())
+                CHECK(rungs[i].deviation.error <= rung_called(rungs, rungs[i].rung.no_worse_than).deviation.error);
         }
     }
 }

@@ -31,7 +31,7 @@ std::vector<Figure> in_codes(const Truth& truth, const Picture& result)
     return {{"8-bit codes off", worst}};
 }
 
-Rung rung(const std::string& ladder, const std::string& name, const std::string& what, double bound)
+Rung rung(const std::string& ladder, const std::string& name, const std::string& what, double bound, const std::string& no_worse_than)
 {
     return {.name = name,
             .what = what,
@@ -41,7 +41,7 @@ Rung rung(const std::string& ladder, const std::string& name, const std::string&
             .settings = {{"shown." + ladder, name}},
             .bound = bound,
             .is_default = name == "exact",
-            .is_as_exact_as_before = true};
+            .no_worse_than = no_worse_than};
 }
 
 Ladder display_ladder(const std::string& name, const std::string& title, const std::string& about)
@@ -72,7 +72,7 @@ Ladder tone_curve()
                                    "Radiance from 2e-5 to 16 of all hues, through Hable's curve (white at 11.2) and the exact sRGB encoding. The table holds 33 samples joined by straight lines.");
     // Straight lines between samples are off by at most f'' h^2 / 8; over this curve after encoding 2.34e-3 (computed at 200 000
     // places in double), and 2 % for places between those.
-    ladder.rungs = {rung("curve", "table", "33 samples joined by straight lines", 2.4e-3), rung("curve", "exact", "the quotient of two quadratics", kRoundings)};
+    ladder.rungs = {rung("curve", "table", "33 samples joined by straight lines", 2.4e-3, ""), rung("curve", "exact", "the quotient of two quadratics", kRoundings, "table")};
     return ladder;
 }
 
@@ -81,9 +81,9 @@ Ladder srgb_transfer()
     Ladder ladder = display_ladder("srgb_transfer", "Encoding for the display: sRGB",
                                    "Radiance from 2e-5 to 16 of all hues, through the exact filmic curve and the encoding. The common x^(1/2.2) is far too bright near black.");
     // x^(1/2.2) against the standard: 0.0335 at 0.00216 (computed); the quotient of quadratics 1.183e-4 by its fit.
-    ladder.rungs = {rung("transfer", "gamma_2_2", "x^(1/2.2)", 0.0336),
-                    rung("transfer", "rational", "a quotient of quadratics in sqrt(x)", 1.19e-4 + kRoundings),
-                    rung("transfer", "exact", "the two pieces of IEC 61966-2-1", kRoundings)};
+    ladder.rungs = {rung("transfer", "gamma_2_2", "x^(1/2.2)", 0.0336, ""),
+                    rung("transfer", "rational", "a quotient of quadratics in sqrt(x)", 1.19e-4 + kRoundings, "gamma_2_2"),
+                    rung("transfer", "exact", "the two pieces of IEC 61966-2-1", kRoundings, "rational")};
     return ladder;
 }
 

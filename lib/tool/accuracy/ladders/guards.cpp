@@ -47,7 +47,7 @@ Rung rung(const std::string& name, const std::string& what, bool has_guards, dou
   "outputs": { "result": "seen" } })",
             .bound = bound,
             .is_default = has_guards,
-            .is_as_exact_as_before = has_guards,
+            .no_worse_than = has_guards ? "off" : "",
             .has_guards = has_guards};
 }
 

@@ -75,7 +75,8 @@ Rung form_rung(const std::string& form, const std::string& what, double bound)
   "passes": { "density": { "pass": "ggx_density", "inputs": { "normals": "normals", "halves": "halves" }, "codecs": { "density": "rgba32f" } } },
   "outputs": { "result": "density" } })",
             .settings = {{"density.form", form}},
-            .bound = bound};
+            .bound = bound,
+            .has_guards = false}; // a guard would hide what is no number
 }
 
 Rung power_rung(const std::string& power, const std::string& what, double bound)
@@ -86,7 +87,8 @@ Rung power_rung(const std::string& power, const std::string& what, double bound)
   "passes": { "edge": { "pass": "fresnel_edge", "inputs": { "cosines": "cosines" }, "codecs": { "weight": "rgba32f" } } },
   "outputs": { "result": "edge" } })",
             .settings = {{"edge.power", power}},
-            .bound = bound};
+            .bound = bound,
+            .has_guards = false};
 }
 
 } // namespace
@@ -118,7 +120,8 @@ Ladder ggx_form()
         form_rung("difference_of_squares", "(1 - cos)(1 + cos) for the sine", 0.23),
         form_rung("lagrange", "|n x h| for the sine", 2e-5),
     };
-    ladder.rungs[2].is_default = ladder.rungs[1].is_as_exact_as_before = ladder.rungs[2].is_as_exact_as_before = true;
+    ladder.rungs[2].is_default = true;
+    ladder.rungs[2].no_worse_than = "difference_of_squares";
     return ladder;
 }
 
@@ -130,7 +133,7 @@ Ladder fresnel_power()
                   .about = "Schlick's (1 - cos)^5 for cosines from 0 to 1, many of them close to 1, and some that rounding left 1.2e-7 above it, "
                            "where pow is undefined: values that are no number count as non-finite, not as an error.",
                   .passes = {"pbr"},
-                  .metric = {"relative error of a channel, largest", "", Distance::relative, Summary::largest, 0.0, true},
+                  .metric = {"relative error of a channel, largest", "", Distance::relative, Summary::largest, 0.0, true, 1e-20},
                   .make_inputs = cosines,
                   .find_truth = edge_weights,
                   .describe_input = [](const Inputs& in, int x, int y) { return "cosines " + vector_text(texel(in.pictures.at("cosines"), x, y)); },
@@ -143,7 +146,8 @@ Ladder fresnel_power()
         power_rung("pow", "pow(1 - cos, 5)", 150.0 / 16777216.0),
         power_rung("multiplications", "x^2 x^2 x", 8.0 / 16777216.0),
     };
-    ladder.rungs[1].is_default = ladder.rungs[1].is_as_exact_as_before = true;
+    ladder.rungs[1].is_default = true;
+    ladder.rungs[1].no_worse_than = "pow";
     return ladder;
 }
 

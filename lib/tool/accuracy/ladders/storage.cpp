@@ -20,14 +20,15 @@ std::string store_and_load(const std::string& signal)
                        signal);
 }
 
-Rung codec_rung(const std::string& signal, const std::string& codec, const std::string& what, double bound, bool is_default = false)
+Rung codec_rung(const std::string& signal, const std::string& codec, const std::string& what, double bound,
+                const std::string& no_worse_than)
 {
     return {.name = codec,
             .what = what,
             .graph = store_and_load(signal),
             .codecs = {{"stored.kept", codec}},
             .bound = bound,
-            .is_default = is_default};
+            .no_worse_than = no_worse_than};
 }
 
 Truth the_value_itself(const Inputs& inputs, Extent extent)
@@ -36,15 +37,17 @@ Truth the_value_itself(const Inputs& inputs, Extent extent)
     return truth_of(extent, [&](int x, int y) { return texel(value, x, y); });
 }
 
-/// The whole sphere, equal areas to equal areas.
+/// The whole sphere, equal areas to equal areas; the lowest sixteenth goes on to -Z, where projections stretch without end,
+/// by equal steps of the angle's logarithm.
 /// Source   Archimedes: a cylinder's height is the sphere's.
 Inputs whole_sphere(Extent extent)
 {
     return {{{"value", picture_of(extent, [&](int x, int y) {
-                  const double z = 2.0 * (y + 0.5) / extent.height - 1.0;
+                  const int low_rows = extent.height / 16;
+                  const double height = 2.0 * (y - low_rows + 0.5) / (extent.height - low_rows) - 1.0;
+                  const double from_below = y < low_rows ? 0.05 * std::pow(1e-3, 1.0 - (y + 0.5) / low_rows) : std::acos(-height);
                   const double around = 2.0 * std::numbers::pi * (x + 0.5) / extent.width;
-                  const double across = std::sqrt(1.0 - z * z);
-                  return std::array<double, 3>{across * std::cos(around), across * std::sin(around), z};
+                  return std::array<double, 3>{std::sin(from_below) * std::cos(around), std::sin(from_below) * std::sin(around), -std::cos(from_below)};
               })}},
             nullptr};
 }
@@ -96,7 +99,7 @@ Truth places_on_strips(const Inputs& inputs, Extent extent)
 }
 
 Rung position_rung(const std::string& name, const std::string& what, const std::string& image, const std::string& codec,
-                   double bound, bool is_default = false)
+                   double bound, const std::string& no_worse_than)
 {
     const bool is_stored = image == "position";
     const std::string reader = is_stored ? R"("pass": "keep_position", "inputs": { "value": "surface.position" }, "codecs": { "kept": "rgba32f" })"
@@ -108,9 +111,10 @@ Rung position_rung(const std::string& name, const std::string& what, const std::
               "place": {{ {} }} }},
   "outputs": {{ "result": "place" }} }})",
                                  reader),
+            .settings = {{"surface.layout", "four_target"}}, // the others pack or derive these outputs themselves
             .codecs = {{"surface." + image, codec}},
             .bound = bound,
-            .is_default = is_default};
+            .no_worse_than = no_worse_than};
 }
 
 } // namespace
@@ -134,21 +138,20 @@ Ladder normal_codec()
     // to the codes: 0.93 * 255 / 1023 and / 65535; 2 % on top for texels between those normals. 16 bits keep 4e-3.
     // Plain binary16 truncates each component by 2^-10 of itself: at most 2^-10 / sqrt(2) rad across = 0.0396 degrees.
     // rgb10: half of 1/511 in each of three directions, sqrt(3) / 2 / 511 rad = 0.0971 degrees.
-    // The sphere map stretches without end at -Z: half a code of 65535 moves the rim, a radius of 1/2, by sqrt(2) / 2 of a
-    // code, and the angle there grows with the root: 2 sqrt(2 * 4 * 0.7071 / 65535) rad ... 0.112 degrees were computed.
+    // The sphere map's rim is -Z: there the angle is twice the root of what the radius of 2 is off. Half a code of 65535 each way,
+    // four times enlarged, is 4.3e-5: 0.0132 rad = 0.76 degrees. In binary32 24 roundings are 1.5e-6: 0.14 degrees.
+    // Plain binary32: the guards normalise before the store and at the end, 3 roundings each, which the angle's two sines share.
     ladder.rungs = {
-        codec_rung("normal", "octahedral_rg8", "folded onto a square, 8 bits per axis", 0.95),
-        codec_rung("normal", "octahedral_rg10", "folded onto a square, 10 bits per axis of rgb10_a2", 0.237),
-        codec_rung("normal", "sphere_map_rg16", "Lambert's azimuthal projection, 16 bits per axis", 0.16),
-        codec_rung("normal", "rgb10_a2", "the three components, 10 bits each", 0.0972),
-        codec_rung("normal", "rgba16f", "the three components, binary16", 0.0396),
-        codec_rung("normal", "octahedral_rg16", "folded onto a square, 16 bits per axis", 0.004, true),
-        codec_rung("normal", "sphere_map_rg32f", "Lambert's azimuthal projection, binary32", 0.16),
-        // Guard, store and load: a normalisation of 3 roundings on each side of it.
-        codec_rung("normal", "rgba32f", "the three components, binary32", 3e-5),
+        codec_rung("normal", "octahedral_rg8", "folded onto a square, 8 bits per axis", 0.95, ""),
+        codec_rung("normal", "sphere_map_rg16", "Lambert's azimuthal projection, 16 bits per axis", 0.76, ""),
+        codec_rung("normal", "octahedral_rg10", "folded onto a square, 10 bits per axis", 0.237, "octahedral_rg8"),
+        codec_rung("normal", "sphere_map_rg32f", "Lambert's azimuthal projection, binary32", 0.14, "sphere_map_rg16"),
+        codec_rung("normal", "rgb10_a2", "the three components, 10 bits each", 0.0972, "octahedral_rg10"),
+        codec_rung("normal", "rgba16f", "the three components, binary16", 0.0396, "rgb10_a2"),
+        codec_rung("normal", "octahedral_rg16", "folded onto a square, 16 bits per axis", 0.004, "rgba16f"),
+        codec_rung("normal", "rgba32f", "the three components, binary32", 3e-5, "octahedral_rg16"),
     };
-    for (Rung& rung : ladder.rungs)
-        rung.is_as_exact_as_before = rung.name != "octahedral_rg8";
+    ladder.rungs[6].is_default = true;
     return ladder;
 }
 
@@ -174,12 +177,12 @@ Ladder position_source()
     // of it in z, so z / n * 2^-25 relative at 900 m: 900 / 0.1 * 2^-25 = 2.7e-4. Reversed binary32: half an ulp of d, 2^-24,
     // and the interpolated vertex' own 2^-24, times the ray and the quotient's 5 more: 1e-6 covers 16 of them.
     ladder.rungs = {
-        position_rung("stored_rgba16f", "the place, binary16", "position", "rgba16f", 9.8e-4),
-        position_rung("from_depth24", "from a depth buffer of 24 fixed-point bits", "depth", "depth24", 2.9e-4),
-        position_rung("from_depth32f", "from a reversed binary32 depth buffer", "depth", "depth32f", 1e-6),
-        position_rung("stored_rgba32f", "the place, binary32", "position", "rgba32f", 1e-6, true),
+        position_rung("stored_rgba16f", "the place, binary16", "position", "rgba16f", 9.8e-4, ""),
+        position_rung("from_depth24", "from a depth buffer of 24 fixed-point bits", "depth", "depth24", 2.9e-4, ""),
+        position_rung("from_depth32f", "from a reversed binary32 depth buffer", "depth", "depth32f", 1e-6, "from_depth24"),
+        position_rung("stored_rgba32f", "the place, binary32", "position", "rgba32f", 1e-6, "stored_rgba16f"),
     };
-    ladder.rungs[1].is_as_exact_as_before = ladder.rungs[2].is_as_exact_as_before = true;
+    ladder.rungs.back().is_default = true;
     return ladder;
 }
 
@@ -199,11 +202,11 @@ Ladder radiance_codec()
                   .crop_center = {0.45, 0.4}};
     // Truncation loses up to one step: 2^-5 of blue's five bits and 2^-10 of binary16's ten; binary32 keeps what came in.
     ladder.rungs = {
-        codec_rung("radiance", "r11f_g11f_b10f", "11, 11 and 10 bits without sign", 1.0 / 32.0),
-        codec_rung("radiance", "rgba16f", "binary16", 1.0 / 1024.0, true),
-        codec_rung("radiance", "rgba32f", "binary32", 0.0),
+        codec_rung("radiance", "r11f_g11f_b10f", "11, 11 and 10 bits without sign", 1.0 / 32.0, ""),
+        codec_rung("radiance", "rgba16f", "binary16", 1.0 / 1024.0, "r11f_g11f_b10f"),
+        codec_rung("radiance", "rgba32f", "binary32", 0.0, "rgba16f"),
     };
-    ladder.rungs[1].is_as_exact_as_before = ladder.rungs[2].is_as_exact_as_before = true;
+    ladder.rungs[1].is_default = true;
     return ladder;
 }
 
