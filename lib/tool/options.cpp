@@ -129,6 +129,11 @@ CLI::Option* add_steps(CLI::App& command, const std::string& flag, std::string& 
     return command.add_option(flag, words, help)->check(CLI::Validator(refuse_unknown_steps, "LIST"));
 }
 
+CLI::Option* add_size(CLI::App& command, std::string& size, const std::string& help)
+{
+    return command.add_option("--size", size, help)->check(CLI::Validator(refuse_no_extent, "WxH"));
+}
+
 void add_to(CLI::App& command, LibraryOptions& options)
 {
     command.add_option("--passes", options.folders, "A folder of passes of your own; they may replace built-in ones")
@@ -148,8 +153,7 @@ void add_to(CLI::App& command, SourceOptions& options)
     command.add_option("--scene", options.scene, "The scene file")->type_name("FILE");
     add_pairs(command, "--in", options.pictures, "A picture for an input; for a cube map a folder with px nx py ny pz nz")
         ->type_name("NAME=FILE");
-    command.add_option("--size", options.size, "The extent; else the first picture's, else 1280x720")
-        ->check(CLI::Validator(refuse_no_extent, "WxH"));
+    add_size(command, options.size, "The extent; else the first picture's, else 1280x720");
 }
 
 void add_to(CLI::App& command, CompilerOptions& options)

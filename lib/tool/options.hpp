@@ -66,6 +66,8 @@ void add_to(CLI::App& command, DeviceOptions& options);
 
 /// An option that may be given several times, each time with one `NAME=TEXT`.
 CLI::Option* add_pairs(CLI::App& command, const std::string& flag, std::vector<std::string>& words, const std::string& help);
+/// An extent as `1280x720`.
+CLI::Option* add_size(CLI::App& command, std::string& size, const std::string& help);
 /// A list of compiler steps with commas between.
 CLI::Option* add_steps(CLI::App& command, const std::string& flag, std::string& words, const std::string& help);
 

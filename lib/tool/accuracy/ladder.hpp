@@ -47,7 +47,7 @@ struct Rung {
     std::string graph;    ///< text of a graph file; its output `result` is compared
     NamePairs settings{}; ///< "blurred.taps" = "13"
     NamePairs codecs{};   ///< "stored.kept" = "rgba16f"
-    double bound = 0.0;   ///< the error is at most this, by derivation
+    double bound = 0.0;   ///< the error is at most this, by derivation; infinite: none is derived
     bool is_default = false;
     std::string no_worse_than{}; ///< claimed: its error is not above this rung's; "": nothing is claimed
     bool has_guards = true;
@@ -62,6 +62,7 @@ struct Ladder {
     std::string stage;               ///< of a frame: "G-buffer", "lighting", "bloom", "display"
     std::string about;               ///< what is approximated and how it is measured, a few sentences
     std::vector<std::string> passes; ///< whose users it concerns
+    NamePairs measures{};            ///< ladders of headers it stands for: pass and ladder
     Metric metric{};
     std::vector<Rung> rungs{}; ///< roughly from coarse to exact
     std::function<Inputs(Extent)> make_inputs{};

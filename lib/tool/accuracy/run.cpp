@@ -87,6 +87,7 @@ public:
                 return tl::unexpected(compared.error());
             measured.rungs.push_back(std::move(compared->rung));
             subjects.push_back(std::move(compared->subject));
+            result_.renderer = subjects.back().renderer.device_name();
             clock_.prepared();
         }
         measured.map_limit = largest_difference(measured.rungs);

@@ -27,6 +27,7 @@ using Watch = std::function<bool(const Moment&)>;
 struct Measurements {
     std::vector<MeasuredLadder> ladders{}; ///< at least one whole round each
     bool is_interrupted = false;
+    std::string renderer{}; ///< GL_RENDERER and GL_VERSION
 };
 
 /// Draws every rung, compares it with the truth, and times the rungs of a ladder in turns, the default one twice.

@@ -134,6 +134,7 @@ Ladder blur()
                   .about = "A Gaussian of sigma 3 texels of a picture with single bright texels, hard edges and grain. Taps that end too early realise a smaller "
                            "sigma than asked; a smaller picture costs less and is smoother than it should be. All images are binary32, so that only the kernel differs.",
                   .passes = {"blur_direction", "gaussian_blur", "downsample", "upsample"},
+                  .measures = {{"blur_direction", "taps"}, {"blur_direction", "sampling"}, {"gaussian_blur", "taps"}, {"gaussian_blur", "sampling"}},
                   .metric = {"difference from the exact Gaussian, largest (the picture's peak is 1)", "", Distance::absolute, Summary::largest},
                   .make_inputs = bright_texels_and_edges,
                   .find_truth = gaussian_of,

@@ -44,13 +44,14 @@ Rung rung(const std::string& ladder, const std::string& name, const std::string&
             .no_worse_than = no_worse_than};
 }
 
-Ladder display_ladder(const std::string& name, const std::string& title, const std::string& about)
+Ladder display_ladder(const std::string& name, const std::string& title, const std::string& about, const std::string& selection)
 {
     return {.name = name,
             .title = title,
             .stage = "display",
             .about = about,
             .passes = {"tone_map"},
+            .measures = {{"tone_map", selection}},
             .metric = {"difference of a display value from the exact one, largest (white is 1)", "", Distance::absolute, Summary::largest},
             .make_inputs = colors_up_to_white,
             .find_truth = displayed,
@@ -69,7 +70,7 @@ constexpr double kRoundings = 46.0 / 16777216.0;
 Ladder tone_curve()
 {
     Ladder ladder = display_ladder("tone_curve", "The filmic curve",
-                                   "Radiance from 2e-5 to 16 of all hues, through Hable's curve (white at 11.2) and the exact sRGB encoding. The table holds 33 samples joined by straight lines.");
+                                   "Radiance from 2e-5 to 16 of all hues, through Hable's curve (white at 11.2) and the exact sRGB encoding. The table holds 33 samples joined by straight lines.", "curve");
     // Straight lines between samples are off by at most f'' h^2 / 8; over this curve after encoding 2.34e-3 (computed at 200 000
     // places in double), and 2 % for places between those.
     ladder.rungs = {rung("curve", "table", "33 samples joined by straight lines", 2.4e-3, ""), rung("curve", "exact", "the quotient of two quadratics", kRoundings, "table")};
@@ -79,7 +80,7 @@ Ladder tone_curve()
 Ladder srgb_transfer()
 {
     Ladder ladder = display_ladder("srgb_transfer", "Encoding for the display: sRGB",
-                                   "Radiance from 2e-5 to 16 of all hues, through the exact filmic curve and the encoding. The common x^(1/2.2) is far too bright near black.");
+                                   "Radiance from 2e-5 to 16 of all hues, through the exact filmic curve and the encoding. The common x^(1/2.2) is far too bright near black.", "transfer");
     // x^(1/2.2) against the standard: 0.0335 at 0.00216 (computed); the quotient of quadratics 1.183e-4 by its fit.
     ladder.rungs = {rung("transfer", "gamma_2_2", "x^(1/2.2)", 0.0336, ""),
                     rung("transfer", "rational", "a quotient of quadratics in sqrt(x)", 1.19e-4 + kRoundings, "gamma_2_2"),

@@ -101,6 +101,7 @@ Ladder ggx_form()
                   .about = "GGX's density at roughness 0.045, the sharpest that is lit, for normals all over the hemisphere and half vectors within 0.1 rad. "
                            "The textbook subtracts two numbers close to 1; the Lagrange identity takes the sine from the cross product instead.",
                   .passes = {"pbr"},
+                  .measures = {{"pbr", "ggx_form"}},
                   .metric = {"relative error, 99th percentile", "", Distance::relative, Summary::p99},
                   .make_inputs = normals_and_halves,
                   .find_truth = densities,
@@ -133,6 +134,7 @@ Ladder fresnel_power()
                   .about = "Schlick's (1 - cos)^5 for cosines from 0 to 1, many of them close to 1, and some that rounding left 1.2e-7 above it, "
                            "where pow is undefined: values that are no number count as non-finite, not as an error.",
                   .passes = {"pbr"},
+                  .measures = {{"pbr", "fresnel_power"}},
                   .metric = {"relative error of a channel, largest", "", Distance::relative, Summary::largest, 0.0, true, 1e-20},
                   .make_inputs = cosines,
                   .find_truth = edge_weights,
