@@ -34,8 +34,8 @@ float encoded(double linear)
 /// `lowest` and `highest` are those of the truth's part, for what has no scale of its own.
 Color color_of(Shown shown, const double* value, int components, double lowest, double highest)
 {
-    const double first = value[0];
-    const auto channel = [&](int c) { return components == 3 ? value[c] : first; };
+    const double last = value[components - 1];
+    const auto channel = [&](int c) { return components == 3 ? value[c] : last; };
     Color color{};
     for (int c = 0; c < 3; ++c) {
         double level = 0.0;
@@ -53,7 +53,7 @@ Color color_of(Shown shown, const double* value, int components, double lowest, 
             level = std::log(-value[2] / lowest) / std::log(highest / lowest);
             break;
         case Shown::logarithmic:
-            level = std::log(std::max(channel(c), lowest) / lowest) / std::log(highest / lowest);
+            level = std::log(std::max(last, lowest) / lowest) / std::log(highest / lowest);
             break;
         }
         color[static_cast<size_t>(c)] = static_cast<float>(std::clamp(level, 0.0, 1.0));
@@ -78,8 +78,6 @@ Range range_of(const Ladder& ladder, const Truth& truth, const Part& part)
                 range.highest = std::max(range.highest, size);
             }
     range.lowest = std::max(range.lowest, 1e-6 * range.highest);
-    if (ladder.shown == Shown::distance)
-        range = {0.2, 900.0};
     return range;
 }
 

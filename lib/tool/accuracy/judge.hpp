@@ -42,7 +42,7 @@ inline constexpr double kNoisy = 0.10;
 /// Fills in times, ratios and verdicts. `samples` are those of the rungs, then those of the default rung's twin.
 void judge(MeasuredLadder& ladder, const Samples& samples);
 
-/// True when the times of two rungs differ by more than the ladder's noise: the interval of their ratio leaves it out.
+/// True when `a` takes less time than `b` by more than the noise: all of their ratio's interval lies beyond it.
 bool is_faster(const std::vector<double>& a, const std::vector<double>& b, double noise_floor);
 
 /// The most exact rung of at most so many milliseconds, or nullptr.

@@ -54,7 +54,13 @@ struct Rung {
 };
 
 /// How values become colors of a picture.
-enum class Shown { direction, radiance, display, distance, logarithmic };
+enum class Shown {
+    direction,   ///< components of -1 to 1
+    radiance,    ///< the part's brightest is white
+    display,     ///< as it is
+    distance,    ///< of a place from the eye's plane, logarithmic over the part's range
+    logarithmic, ///< the last component, over the part's range
+};
 
 struct Ladder {
     std::string name;
@@ -71,7 +77,7 @@ struct Ladder {
     std::function<std::vector<Figure>(const Inputs&, const Picture& result)> find_figures{};
     Shown shown = Shown::radiance;
     std::array<double, 2> crop_center{0.5, 0.5}; ///< in uv
-    Extent crop{96, 64};
+    Extent crop{84, 56};
 };
 
 /// Every ladder of the report, in its order. Errors: none; the table is ours.

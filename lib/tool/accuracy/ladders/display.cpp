@@ -58,7 +58,7 @@ Ladder display_ladder(const std::string& name, const std::string& title, const s
             .describe_input = [](const Inputs& in, int x, int y) { return "radiance " + vector_text(texel(in.pictures.at("image"), x, y)); },
             .find_figures = [](const Inputs& in, const Picture& result) { return in_codes(displayed(in, result.extent), result); },
             .shown = Shown::display,
-            .crop_center = {0.3, 0.5}};
+            .crop_center = {0.62, 0.5}};
 }
 
 // The filmic curve takes about 24 roundings, which the encoding damps or multiplies by less than 1; pow adds 8.6 on

@@ -172,7 +172,7 @@ Ladder position_source()
                           return fmt::format("{:.4g} m away", strip_distance(x / kStripWidth, width));
                       },
                   .shown = Shown::distance,
-                  .crop_center = {0.9, 0.5}};
+                  .crop_center = {0.8, 0.5}};
     // binary16 truncates: 2^-10 of each component. Depth of 24 fixed bits: half a step of 2^-24 in d is z^2 (f - n) / (f n)
     // of it in z, so z / n * 2^-25 relative at 900 m: 900 / 0.1 * 2^-25 = 2.7e-4. Reversed binary32: half an ulp of d, 2^-24,
     // and the interpolated vertex' own 2^-24, times the ray and the quotient's 5 more: 1e-6 covers 16 of them.
@@ -191,7 +191,7 @@ Ladder radiance_codec()
     Ladder ladder{.name = "radiance_codec",
                   .title = "Storing radiance",
                   .stage = "lighting",
-                  .about = "Colors from 1e-4 to 6e4 of all hues, stored by one draw and read by the next. The error is relative, per channel: "
+                  .about = "Colors from 2e-4 to 6e4 of all hues, stored by one draw and read by the next. The error is relative, per channel: "
                            "what one store and load loses. A software rasteriser truncates, so that each further pass darkens by the bias.",
                   .passes = {"pbr", "sky", "bloom_combine", "bright"},
                   .metric = {"relative error of a channel, largest", "", Distance::relative, Summary::largest, 0.0, true},

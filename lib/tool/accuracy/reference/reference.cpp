@@ -35,13 +35,12 @@ double ggx_density(const Vector& normal, const Vector& half, double alpha)
 
 double schlick_weight(double cosine) { return std::pow(std::max(1.0 - cosine, 0.0), 5.0); }
 
-double filmic(double radiance, double white)
+double filmic(double radiance, double white, const FilmicConstants& k)
 {
-    const auto curve = [](double x) {
-        const double shoulder = 0.22, linear = 0.30, linear_angle = 0.10, toe = 0.20, toe_over = 0.01, toe_under = 0.30;
-        return (x * (shoulder * x + linear_angle * linear) + toe * toe_over) /
-                   (x * (shoulder * x + linear) + toe * toe_under) -
-               toe_over / toe_under;
+    const auto curve = [&](double x) {
+        return (x * (k.shoulder * x + k.linear_angle * k.linear) + k.toe * k.toe_numerator) /
+                   (x * (k.shoulder * x + k.linear) + k.toe * k.toe_denominator) -
+               k.toe_numerator / k.toe_denominator;
     };
     return radiance > 0.0 ? curve(std::min(radiance, white)) / curve(white) : 0.0;
 }
@@ -59,19 +58,6 @@ Vector place_at_distance(double x, double y, int width, int height, double verti
     const double up = std::tan(0.5 * vertical_fov);
     const double right = up * width / height;
     return {(2.0 * (x + 0.5) / width - 1.0) * right * distance, (2.0 * (y + 0.5) / height - 1.0) * up * distance, -distance};
-}
-
-double half_below(double value)
-{
-    constexpr double kLargest = 65504.0;
-    if (!(value > 0.0))
-        return 0.0;
-    if (value >= kLargest)
-        return kLargest;
-    int exponent = 0;
-    std::frexp(value, &exponent);                                      // value in [2^(e-1), 2^e)
-    const double step = std::ldexp(1.0, std::max(exponent - 11, -24)); // ten bits behind the leading one; subnormals stop
-    return std::floor(value / step) * step;
 }
 
 } // namespace passgraph::reference

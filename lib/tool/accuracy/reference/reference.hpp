@@ -26,9 +26,19 @@ double ggx_density(const Vector& normal, const Vector& half, double alpha);
 /// Source   Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15.
 double schlick_weight(double cosine);
 
-/// Hable's filmic curve as published, with the constants of the 2017 demo, 1 at `white`; 0 for what is not above 0.
+/// The constants of Hable's curve; the default is the 2017 demo's.
+struct FilmicConstants {
+    double shoulder = 0.22;
+    double linear = 0.30;
+    double linear_angle = 0.10;
+    double toe = 0.20;
+    double toe_numerator = 0.01;
+    double toe_denominator = 0.30;
+};
+
+/// Hable's filmic curve as published, 1 at `white` and beyond; 0 for what is not above 0.
 /// Source   Hable 2010, "Uncharted 2: HDR Lighting".
-double filmic(double radiance, double white);
+double filmic(double radiance, double white, const FilmicConstants& constants = {});
 
 /// Source   IEC 61966-2-1:1999, linear light to code; clamped to [0, 1].
 double srgb_encode(double linear);
@@ -47,8 +57,5 @@ std::vector<double> gaussian_blur(const std::vector<double>& image, int width, i
 ///
 /// `vertical_fov` in radians; uv (0, 0) is the bottom left, the eye looks along -Z.
 Vector place_at_distance(double x, double y, int width, int height, double vertical_fov, double distance);
-
-/// A stored binary16's neighbour at or below a value in [0, 65504], as a store that truncates leaves it; 65504 above.
-double half_below(double value);
 
 } // namespace passgraph::reference

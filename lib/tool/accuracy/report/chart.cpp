@@ -35,7 +35,6 @@ struct Scale {
 
 struct Box {
     double x0, y0, x1, y1;
-    bool meets(const Box& other) const { return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1; }
 };
 
 std::string power_text(int exponent)
@@ -146,6 +145,8 @@ private:
             if (last) {
                 line(x_of(*last), y_of(*last), x_of(*rung), y_of(*last), kFront, 1.6);
                 line(x_of(*rung), y_of(*last), x_of(*rung), y_of(*rung), kFront, 1.6);
+                taken_.push_back({x_of(*last), y_of(*last) - 2.0, x_of(*rung), y_of(*last) + 2.0});
+                taken_.push_back({x_of(*rung) - 2.0, y_of(*last), x_of(*rung) + 2.0, y_of(*rung)});
             }
             best = rung->deviation.error;
             last = rung;
@@ -168,7 +169,17 @@ private:
         taken_.push_back({std::min(low, x - 9.0), y - 7.0, std::max(high, x + 9.0), y + 7.0});
     }
 
-    /// Where the label meets nothing: right, left, above, below; else where it stays on the page.
+    /// How much of what is there a label would cover; leaving the page costs most.
+    double cost_of(const Box& box) const
+    {
+        const double outside = std::max(kLeft - box.x0, 0.0) + std::max(box.x1 - kWidth + 2.0, 0.0) + std::max(2.0 - box.y0, 0.0) + std::max(box.y1 - kBottom, 0.0);
+        double covered = 0.0;
+        for (const Box& other : taken_)
+            covered += std::max(std::min(box.x1, other.x1) - std::max(box.x0, other.x0), 0.0) * std::max(std::min(box.y1, other.y1) - std::max(box.y0, other.y0), 0.0);
+        return 1000.0 * outside + covered;
+    }
+
+    /// Beside, above or below its point, the first place that covers least.
     void draw_label(const MeasuredRung& rung)
     {
         const std::string name = rung.rung.name + (rung.rung.is_default ? " (default)" : "");
@@ -185,13 +196,13 @@ private:
             {right - 8.0, y - height - 4.0},   {right - 8.0, y + 4.0},             {left + 8.0, y - height - 4.0}, {left + 8.0, y + 4.0},
             {middle, y - 2.0 * height - 12.0}, {middle, y + height + 12.0},        {right, y - 1.6 * height},   {right, y + 0.8 * height},
             {left, y - 1.6 * height},          {left, y + 0.8 * height}};
-        const auto is_on_page = [](const Box& box) { return box.x0 > kLeft && box.x1 < kWidth - 2.0 && box.y0 > 2.0 && box.y1 < kBottom; };
-        Box chosen{right, y - 0.5 * height, right + width, y + 0.5 * height};
+        Box chosen{};
+        double least = 1e300;
         for (const auto& [corner_x, corner_y] : corners) {
             const Box box{corner_x, corner_y, corner_x + width, corner_y + height};
-            if (is_on_page(box) && std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); })) {
+            if (const double cost = cost_of(box); cost < least) {
+                least = cost;
                 chosen = box;
-                break;
             }
         }
         taken_.push_back(chosen);

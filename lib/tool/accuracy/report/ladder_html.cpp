@@ -30,6 +30,21 @@ std::string rung_phrase(const MeasuredLadder& ladder, const MeasuredRung& rung)
     return fmt::format("<code>{}</code> ({}&nbsp;ms, error {})", rung.rung.name, ms_text(rung.ms.median), error_text(ladder.ladder->metric, rung.deviation.error));
 }
 
+/// The rungs that the same other one beats, in a line each.
+std::string grouped(const MeasuredLadder& ladder, std::string MeasuredRung::*other, const char* phrase)
+{
+    std::string text;
+    for (const MeasuredRung& winner : ladder.rungs) {
+        std::string names;
+        for (const MeasuredRung& rung : ladder.rungs)
+            if (rung.*other == winner.rung.name)
+                names += fmt::format("{}<code>{}</code>", names.empty() ? "" : ", ", rung.rung.name);
+        if (!names.empty())
+            text += fmt::format("<li class=\"faint\">{}: {}.</li>", names, fmt::format(fmt::runtime(phrase), fmt::format("<code>{}</code>", winner.rung.name)));
+    }
+    return text;
+}
+
 /// What somebody in a hurry should know; nothing that the noise does not allow.
 std::string verdict(const MeasuredLadder& ladder)
 {
@@ -43,11 +58,10 @@ std::string verdict(const MeasuredLadder& ladder)
         text += fmt::format("<li>No rung is measurably cheaper than the most exact one, {}.</li>", exact.rung.name);
     else if (&quick != &used && &quick != &exact)
         text += fmt::format("<li>Cheapest: {}{}.</li>", rung_phrase(ladder, quick), quick.dominated_by.empty() ? "" : ", though dominated");
+    text += grouped(ladder, &MeasuredRung::dominated_by, "dominated by {}, which is faster and no less exact");
+    if (exact.is_ratio_claimed || &quick == &exact)
+        text += grouped(ladder, &MeasuredRung::as_fast_as, "no measurable time saved over {}, which is more exact");
     for (const MeasuredRung& rung : ladder.rungs) {
-        if (!rung.dominated_by.empty())
-            text += fmt::format("<li class=\"faint\"><code>{}</code> is dominated: <code>{}</code> is faster and no less exact.</li>", rung.rung.name, rung.dominated_by);
-        else if (!rung.as_fast_as.empty())
-            text += fmt::format("<li class=\"faint\"><code>{}</code> saves no measurable time over <code>{}</code>, which is more exact.</li>", rung.rung.name, rung.as_fast_as);
         if (rung.deviation.non_finite > 0.0)
             text += fmt::format("<li class=\"warn\"><code>{}</code> returns values that are no finite number for {}&nbsp;% of the texels.</li>", rung.rung.name,
                                 short_number(100.0 * rung.deviation.non_finite));
@@ -77,7 +91,7 @@ std::string table_row(const MeasuredLadder& ladder, const MeasuredRung& rung)
     row += fmt::format("<td>{} <span class=\"faint\">({}&ndash;{})</span></td><td>{}</td><td>{:.3g}</td>", ms_text(rung.ms.median), ms_text(rung.ms.interval.low),
                        ms_text(rung.ms.interval.high), ratio_cell(ladder, rung), rung.bytes_per_pixel);
     row += fmt::format("<td><strong>{}</strong></td><td>{}</td><td>{}</td>", error_text(metric, rung.deviation.error), error_text(metric, rung.deviation.mean),
-                       error_text(metric, rung.rung.bound));
+                       std::isfinite(rung.rung.bound) ? error_text(metric, rung.rung.bound) : "&ndash;");
     for (const Figure& figure : rung.figures)
         row += fmt::format("<td>{}</td>", figure.value >= 100.0 ? fmt::format("{:.0f}", figure.value) : fmt::format("{:.4g}", figure.value));
     return row + fmt::format("<td class=\"left\">{}</td></tr>\n", escaped(rung.worst_input));
@@ -92,7 +106,8 @@ std::string table(const MeasuredLadder& ladder)
     for (const MeasuredRung& rung : ladder.rungs)
         rows += table_row(ladder, rung);
     return fmt::format("<div class=\"scroll\"><table><thead><tr>{}<th class=\"left\">worst input</th></tr></thead><tbody>\n{}</tbody></table></div>"
-                       "<p class=\"note\">Error: {}.</p>",
+                       "<p class=\"note\">Error: {}. Bytes: of the images kept between draws, or of the result where there are none; a dominated rung "
+                       "may still be worth its bytes.</p>",
                        head, rows, escaped(ladder.ladder->metric.name));
 }
 
