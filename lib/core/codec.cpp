@@ -108,6 +108,18 @@ int channel_count(Format format) { return kFormats[static_cast<size_t>(format)].
 
 ChannelKind channel_kind(Format format) { return kFormats[static_cast<size_t>(format)].kind; }
 
+int largest_code(Format format)
+{
+    switch (channel_kind(format)) {
+    case ChannelKind::unorm8:
+        return 255;
+    case ChannelKind::unorm10:
+        return 1023;
+    default:
+        return 65535;
+    }
+}
+
 const std::vector<Codec>& codecs_of(Signal signal)
 {
     using enum Format;
@@ -122,6 +134,7 @@ const std::vector<Codec>& codecs_of(Signal signal)
     static const std::vector<Codec> material = {{"rgba8", rgba8}, {"rgba16f", rgba16f}, {"rgba32f", rgba32f}};
     static const std::vector<Codec> normal = {{"octahedral_rg16", rg16, Packing::octahedral},
                                               {"octahedral_rg8", rg8, Packing::octahedral},
+                                              {"octahedral_rg10", rgb10_a2, Packing::octahedral},
                                               {"sphere_map_rg16", rg16, Packing::sphere_map},
                                               {"sphere_map_rg32f", rg32f, Packing::sphere_map},
                                               {"rgb10_a2", rgb10_a2, Packing::signed_10},
@@ -188,7 +201,7 @@ Picture decode_texels(const Picture& raw, Signal signal, const Codec& codec, Dep
 {
     const int components = info(signal).components;
     Picture decoded(raw.extent, components);
-    const float codes = codec.format == Format::rg8 ? 255.0f : 65535.0f;
+    const auto codes = static_cast<float>(largest_code(codec.format));
     for (int y = 0; y < raw.extent.height; ++y) {
         for (int x = 0; x < raw.extent.width; ++x) {
             const float* texel = &raw.texels[raw.index(x, y)];

@@ -47,6 +47,7 @@
     X(PFNGLENABLEPROC, Enable)                                                                                         \
     X(PFNGLENABLEIPROC, Enablei)                                                                                       \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                       \
+    X(PFNGLFINISHPROC, Finish)                                                                                         \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                             \
     X(PFNGLFRONTFACEPROC, FrontFace)                                                                                   \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                 \

@@ -299,6 +299,10 @@ std::vector<StepTime> Renderer::step_times()
 {
     return impl_->step_times();
 }
+void Renderer::finish()
+{
+    impl_->finish();
+}
 Renderer::Counters Renderer::counters() const
 {
     return impl_->counters();

@@ -43,6 +43,7 @@ public:
     gl::Imports& imports() { return *imports_; }
     const std::string& device_name() const { return driver_.device_name; }
     Counters counters() const;
+    void finish() const { driver_.gl.Finish(); }
 
 private:
     struct Call;

@@ -39,6 +39,8 @@ int channel_count(Format format);
 /// What a channel of a format holds; a packed code fits only channels of its own kind, a plain value any but depth.
 enum class ChannelKind : std::uint8_t { unorm8, unorm10, unorm16, small_float, half, single, depth };
 ChannelKind channel_kind(Format format);
+/// The largest code of a fixed-point channel: 255, 1023 or 65535. Range: unorm8, unorm10 and unorm16 formats.
+int largest_code(Format format);
 
 /// The value in the texel: which GLSL functions `encode_X(value) -> vec4` and `decode_X(vec4) -> value` are used.
 enum class Packing : std::uint8_t {

@@ -120,6 +120,9 @@ public:
     /// The GL texture of an output, for the host to draw or sample. It holds codes, not values.
     Result<HostTexture> texture(std::string_view output) const;
 
+    /// Waits until all that was drawn is done: for timing by the wall clock.
+    void finish();
+
     const Plan& plan() const;
     /// Per step of the last frame, when `is_timed`; waits for the frame to finish.
     std::vector<StepTime> step_times();

@@ -63,6 +63,7 @@ struct StepSource {
     PassKind kind = PassKind::image;
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
     LightFacts lights;
+    bool has_guards = true; ///< values are brought into their signal's domain
 };
 
 struct StepText {

@@ -55,7 +55,9 @@ vec3 passgraph_sphere_map_decode(vec2 texel)
     float squared = dot(f, f);
     return normalize(vec3(f * sqrt(max(1.0 - 0.25 * squared, 0.0)), 1.0 - 0.5 * squared));
 }
-vec3 passgraph_signed_10_encode(vec3 n) { return (n * 511.0 + 512.0) / 1023.0; }
+// Whole codes are safe from stores of 10 bits that take floor(1024 x) for the nearest of 1023 x, as llvmpipe does.
+vec2 passgraph_octahedral_encode_10(vec3 n) { return floor(passgraph_octahedral_encode(n, 1023.0) * 1023.0 + 0.5) / 1023.0; }
+vec3 passgraph_signed_10_encode(vec3 n) { return floor(n * 511.0 + 512.5) / 1023.0; }
 vec3 passgraph_signed_10_decode(vec3 texel) { return normalize((texel * 1023.0 - 512.0) / 511.0); }
 )";
 }
@@ -80,8 +82,9 @@ std::string glsl_encode_call(Signal signal, const Codec& codec, std::string_view
 {
     switch (codec.packing) {
     case Packing::octahedral:
-        return fmt::format("vec4(passgraph_octahedral_encode({}, {}), 0.0, 1.0)", value,
-                           codec.format == Format::rg8 ? "255.0" : "65535.0");
+        if (channel_kind(codec.format) == ChannelKind::unorm10)
+            return fmt::format("vec4(passgraph_octahedral_encode_10({}), 0.0, 1.0)", value);
+        return fmt::format("vec4(passgraph_octahedral_encode({}, {}.0), 0.0, 1.0)", value, largest_code(codec.format));
     case Packing::signed_10:
         return fmt::format("vec4(passgraph_signed_10_encode({}), 1.0)", value);
     case Packing::sphere_map:
@@ -107,8 +110,7 @@ std::string glsl_decode_call(Signal signal, const Codec& codec, std::string_view
 {
     switch (codec.packing) {
     case Packing::octahedral:
-        return fmt::format("passgraph_octahedral_decode({}.rg, {})", texel,
-                           codec.format == Format::rg8 ? "255.0" : "65535.0");
+        return fmt::format("passgraph_octahedral_decode({}.rg, {}.0)", texel, largest_code(codec.format));
     case Packing::signed_10:
         return fmt::format("passgraph_signed_10_decode({}.rgb)", texel);
     case Packing::sphere_map:

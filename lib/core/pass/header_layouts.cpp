@@ -190,9 +190,10 @@ private:
                                                      name(format)),
                        "a packed code needs channels of its own kind", output.where);
         }
+        const bool is_plane = output.codec.packing == Packing::octahedral || output.codec.packing == Packing::sphere_map;
         const size_t wanted = output.codec.packing == Packing::plain
                                   ? static_cast<size_t>(info(signal).components)
-                                  : static_cast<size_t>(std::min(channel_count(output.codec.format), 3));
+                                  : static_cast<size_t>(std::min(channel_count(output.codec.format), is_plane ? 2 : 3));
         if (channels != wanted)
             report("channel_count", fmt::format("`{}` needs {} channels, its places have {}", output.output, wanted, channels),
                    "name one channel for each", output.where);
