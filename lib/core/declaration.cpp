@@ -72,6 +72,19 @@ const Layout::Output* Layout::find(std::string_view wanted) const
     return nullptr;
 }
 
+Filter filter_of(const PassDeclaration& pass, const InputPort& port, const std::vector<int>& selections)
+{
+    const int by = port.filter_by.empty() ? -1 : pass.find_selection(port.filter_by);
+    if (by < 0)
+        return port.filter;
+    const auto& items = pass.selections[static_cast<size_t>(by)].items;
+    const std::string& item = items[static_cast<size_t>(selections[static_cast<size_t>(by)])];
+    for (const auto& [name, filter] : port.filter_of_item)
+        if (name == item)
+            return filter;
+    return port.filter;
+}
+
 std::string to_text(const Layout& layout, const Layout::Output& output)
 {
     if (!output.derived_from.empty())

@@ -84,6 +84,15 @@ AbstractValue Interpreter::evaluate_unary(TIntermUnary& node)
         return map_value(operand, [](double x) { return std::floor(x); });
     case EOpCeil:
         return map_value(operand, [](double x) { return std::ceil(x); });
+    case EOpExp: {
+        // GLSL allows a relative error of (3 + 2 |x|) ulp, below 1e-3 wherever the result is finite.
+        AbstractValue result;
+        for (const Component& component : operand)
+            result.push_back(component.kind == Component::Kind::number
+                                 ? Component::number(std::exp(component.lowest) * 0.999, std::exp(component.highest) * 1.001)
+                                 : Component::unknown());
+        return fitted(std::move(result), node.getType());
+    }
     case EOpPreIncrement:
     case EOpPostIncrement:
     case EOpPreDecrement:

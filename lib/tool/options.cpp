@@ -58,7 +58,7 @@ std::string refuse_no_extent(std::string& word)
 
 std::string refuse_unknown_steps(std::string& words)
 {
-    const std::vector<std::string> known = {"specialise", "unify", "cull", "fuse", "order", "alias"};
+    const std::vector<std::string> known = {"specialise", "unify", "cull", "fuse", "order", "alias", "guards"};
     for (const std::string& word : split(words, ','))
         if (std::find(known.begin(), known.end(), word) == known.end())
             return fmt::format("`{}` is no step of the compiler; {}", word, suggest(word, known, "steps"));
@@ -114,6 +114,8 @@ void CompilerOptions::apply_to(CompileOptions& options) const
             options.cull = false;
         if (word == "alias")
             options.alias = false;
+        if (word == "guards")
+            options.guards = false;
     }
 }
 
@@ -153,7 +155,7 @@ void add_to(CLI::App& command, SourceOptions& options)
 void add_to(CLI::App& command, CompilerOptions& options)
 {
     add_steps(command, "--off", options.off,
-              "Compiler steps to leave out: specialise, fuse, cull, alias (unify and order change nothing in this version)");
+              "Compiler steps to leave out: specialise, fuse, cull, alias, guards (unify and order change nothing in this version)");
 }
 
 void add_to(CLI::App& command, DeviceOptions& options)

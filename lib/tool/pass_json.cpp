@@ -105,6 +105,8 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
         json[list].push_back({{"name", selection.name},
                               {"items", selection.items},
                               {"default", selection.items.at(static_cast<size_t>(selection.default_item))}});
+        if (!selection.reference.empty())
+            json[list].back()["reference"] = selection.reference;
     }
     for (const Layout& layout : pass.layouts)
         json["layouts"].push_back(layout_json(layout));

@@ -10,3 +10,23 @@ vec3 srgb_encode(vec3 linear)
 {
     return vec3(srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z));
 }
+
+/// Own fit: a quotient of quadratics in sqrt(x), of least largest error above the joint, where it is 1.2e-4 off (0.03 of an
+/// 8-bit code). A square root and a quotient cost less than pow, which is a logarithm and an exponential.
+float srgb_encode_rational(float x)
+{
+    float s = sqrt(max(x, 0.0));
+    float curve = (-0.0438060364 + s * (1.4396659 + s * 4.53253598)) / (1.0 + s * (4.54741173 + s * 0.381684914));
+    return x <= 0.0031308 ? 12.92 * x : curve;
+}
+
+vec3 srgb_encode_rational(vec3 linear)
+{
+    return vec3(srgb_encode_rational(linear.x), srgb_encode_rational(linear.y), srgb_encode_rational(linear.z));
+}
+
+/// The folk approximation x^(1 / 2.2): 0.034 off near black, where it is far too bright.
+vec3 gamma_2_2_encode(vec3 linear)
+{
+    return pow(max(linear, vec3(0.0)), vec3(1.0 / 2.2));
+}

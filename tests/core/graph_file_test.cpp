@@ -111,7 +111,7 @@ TEST_CASE("passes, ports, settings and codecs exist, and a near name is offered"
         {graph_of(R"("shown": { "pass": @"tonemap", "inputs": { "image": "photo" } })"), {"unknown_pass"}, "did you mean `tone_map`?"},
         {graph_of(R"("shown": { "pass": "tone_map", "inputs": { "image": "photo", @"imgae": "photo" } })"), {"unknown_input"}, "did you mean `image`?"},
         {shown(R"("params": { "exposrue": @2 })"), {"unknown_param"}, "did you mean `exposure`?"},
-        {shown(R"("choices": { "curve": @"x" })"), {"unknown_param"}, "the settings are: exposure, white"},
+        {shown(R"("choices": { "bend": @"x" })"), {"unknown_param"}, "the settings are: exposure, white, curve, transfer"},
         {shown(R"("params": { "exposure": @"bright" })"), {"wrong_type"}, "expected a number"},
         {shown(R"("params": { "exposure": @[1, 2] })"), {"wrong_type"}, "got 2 numbers"},
         {shown(R"("params": { "exposure": @0 })"), {"param_out_of_range"}, "[0.01, 100]"},

@@ -61,6 +61,7 @@ struct Selection {
     Kind kind = Kind::choice;
     std::vector<std::string> items;
     int default_item = 0;
+    std::string reference{}; ///< of a ladder: the exact computation its rungs approximate, by name; "": none is named
     Location where;
 };
 
@@ -92,6 +93,9 @@ struct InputPort {
     std::string name;
     Signal signal = Signal::color;
     Filter filter = Filter::nearest;
+    std::string filter_by{}; ///< a selection whose items choose the filter; "": none
+    std::vector<std::pair<std::string, Filter>> filter_of_item{}; ///< those that differ from `filter`
+    Location filter_where{};
     AddressMode wrap = AddressMode::clamp;
     Over over = Over::image;
     bool has_levels = false;
@@ -194,6 +198,8 @@ struct PassDeclaration {
 
 /// "a.rg : octahedral_rg16", "from position_from_depth": where an output stands, as a header says it.
 std::string to_text(const Layout& layout, const Layout::Output& output);
+/// The filter of a port under these items of the pass's selections.
+Filter filter_of(const PassDeclaration& pass, const InputPort& port, const std::vector<int>& selections);
 
 using PassPtr = std::shared_ptr<const PassDeclaration>;
 

@@ -171,9 +171,11 @@ private:
         std::sort(both.begin(), both.end());
         std::set<std::tuple<int, int, Filter, AddressMode, bool>> textures;
         for (const ExternalRead& read : external_reads(graph_, both)) {
-            const InputPort& port = graph_.node(read.node).pass->inputs[static_cast<size_t>(read.port)];
+            const GraphNode& node = graph_.node(read.node);
+            const InputPort& port = node.pass->inputs[static_cast<size_t>(read.port)];
+            const Filter filter = filter_of(*node.pass, port, node.selections);
             for (const TargetRef target : encoding_.targets_of(read.image))
-                textures.emplace(target.node, target.target, port.filter, port.wrap, port.has_levels);
+                textures.emplace(target.node, target.target, filter, port.wrap, port.has_levels);
         }
         constexpr int kHostBuffers = 1; // the lights
         if (static_cast<int>(textures.size()) + kHostBuffers > options_.device.max_texture_units)

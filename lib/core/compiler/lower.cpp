@@ -16,9 +16,10 @@ namespace {
 class StepLowering {
 public:
     StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
-                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw)
+                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, bool has_guards)
         : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw)
     {
+        source_.has_guards = has_guards;
     }
 
     Plan::Step run()
@@ -101,18 +102,20 @@ private:
                                  encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
         for (const Layout::Place& place : encoding_.of(wire->from).places)
             source.pieces.push_back(
-                {sampler_for(wire->from, place.target, port, filter_for(port, image)), place.channels});
+                {sampler_for(wire->from, place.target, port, filter_for(node, port, image)), place.channels});
         source_.reads.camera |= source.codec.packing == Packing::linear;
         return source;
     }
 
     /// At the centers of its own texels a linear filter gives the texel, at twice a nearest read's cost or more.
-    Filter filter_for(const InputPort& port, const TypedImage& image) const
+    Filter filter_for(const GraphNode& node, const InputPort& port, const TypedImage& image) const
     {
         const bool is_own_texel =
             port.over == Over::image && port.access.kind == AccessClass::pointwise &&
             image.extent == graph_.image(draw_.stored.front()).extent;
-        return port.over == Over::sphere ? Filter::linear : is_own_texel ? Filter::nearest : port.filter;
+        if (port.over == Over::sphere)
+            return Filter::linear;
+        return is_own_texel ? Filter::nearest : filter_of(*node.pass, port, node.selections);
     }
 
     /// The sampler that reads an image in the port's way; equal ways share one.
@@ -224,7 +227,7 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.inlined = draws.inlined;
     for (const int draw : order)
         plan.steps.push_back(
-            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)]).run());
+            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options.guards).run());
     for (const GraphOutput& output : graph.outputs) {
         Plan::Output result;
         result.name = output.name;

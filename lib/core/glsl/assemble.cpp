@@ -155,12 +155,12 @@ std::string alpha_of(const Instance& instance)
     return "1.0";
 }
 
-std::string guarded_output(const Instance& instance, size_t output, const std::string& value)
+std::string guarded_output(const Instance& instance, size_t output, const std::string& value, bool has_guards)
 {
     const bool carries_alpha =
         info(instance.signals[output]).has_alpha && instance.pass->outputs[output].signal == Signal::color;
-    return glsl_guard_call(instance.signals[output],
-                           carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value);
+    const std::string whole = carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value;
+    return has_guards ? glsl_guard_call(instance.signals[output], whole) : whole;
 }
 
 /// The pass does nothing at the part's pixels.
@@ -171,7 +171,7 @@ bool is_idle(const PassDeclaration& pass, Part part)
 }
 
 /// What a pass is at pixels where it does nothing: the input it names, or 0.
-void add_idle_values(ProgramText& text, const Instance& instance)
+void add_idle_values(ProgramText& text, const Instance& instance, bool has_guards)
 {
     const PassDeclaration& pass = *instance.pass;
     for (size_t i = 0; i < pass.outputs.size(); ++i) {
@@ -179,22 +179,22 @@ void add_idle_values(ProgramText& text, const Instance& instance)
                                       ? fmt::format("{}(0.0)", glsl_type(info(instance.signals[i]).components))
                                       : fmt::format("{}{}(uv)", prefix_of(instance.number), pass.elsewhere);
         text.add_line(fmt::format("    {} = {};", value_name(instance, i),
-                                  pass.elsewhere.empty() ? value : guarded_output(instance, i, value)));
+                                  pass.elsewhere.empty() ? value : guarded_output(instance, i, value, has_guards)));
     }
 }
 
 /// Evaluates one pass into its file-scope values.
-void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind, Part part)
+void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind, Part part, bool has_guards)
 {
     const PassDeclaration& pass = *instance.pass;
     if (is_idle(pass, part)) {
-        add_idle_values(text, instance);
+        add_idle_values(text, instance, has_guards);
         return;
     }
     const std::string prefix = prefix_of(instance.number);
     if (kind == PassKind::image && pass.outputs.size() == 1) {
         text.add_line(fmt::format("    {} = {};", value_name(instance, 0),
-                                  guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name))));
+                                  guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name), has_guards)));
         return;
     }
     std::string call =
@@ -214,7 +214,7 @@ void add_evaluation(ProgramText& text, const Instance& instance, PassKind kind, 
             continue;
         }
         text.add_line(fmt::format("    {} = {};", value_name(instance, i),
-                                  guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
+                                  guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name), has_guards)));
     }
 }
 
@@ -261,7 +261,7 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
         add_instance(text, instance, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
     for (const Instance& instance : step.instances)
-        add_evaluation(text, instance, step.kind, part);
+        add_evaluation(text, instance, step.kind, part, step.has_guards);
     for (size_t i = 0; i < step.targets.size(); ++i)
         add_target(text, step.targets[i], i);
     text.add_line("}");

@@ -60,6 +60,7 @@ struct StepSource {
     Reads reads;
     PassKind kind = PassKind::image;
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
+    bool has_guards = true; ///< values are brought into their signal's domain
 };
 
 struct StepText {

@@ -14,6 +14,8 @@ void read_outputs(const Json& outputs, PassDeclaration& pass, Errors& errors);
 void read_params(const Json& params, PassDeclaration& pass, Errors& errors);
 /// "choices" or "ladders": static selections by name.
 void read_selections(const Json& selections, Selection::Kind kind, PassDeclaration& pass, Errors& errors);
+/// A port's "filter" by the items of a selection must name one of the pass's, and items it has.
+void check_filters(const PassDeclaration& pass, Errors& errors);
 /// "layouts" of a geometry pass: targets, and places or a derivation per output; adds the selection "layout".
 void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors);
 

@@ -189,6 +189,8 @@ void read_selections(const Json& selections, Selection::Kind kind, PassDeclarati
             default_item = fields.find("default");
             fields.text("label");
             fields.text("summary");
+            if (kind == Selection::Kind::ladder)
+                selection.reference = fields.text("reference");
             fields.finish();
         }
         if (items)

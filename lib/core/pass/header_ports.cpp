@@ -1,4 +1,5 @@
 // Reads the inputs and outputs of a pass header.
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -61,6 +62,34 @@ void read_default(const Json& json, InputPort& port, Errors& errors)
         port.default_value.v[i] = json.array[i].number;
 }
 
+constexpr std::array<std::pair<const char*, Filter>, 2> kFilters = {{{"nearest", Filter::nearest}, {"linear", Filter::linear}}};
+
+/// "linear", or { "SELECTION": { "ITEM": "linear" } } where a rung or choice decides.
+void read_filter(JsonFields& fields, const Json& input, InputPort& port, Errors& errors)
+{
+    const Json* json = input.find("filter");
+    if (!json || !json->is(Json::Kind::object)) {
+        read_word<Filter, 2>(fields, "filter", kFilters, port.filter, errors);
+        return;
+    }
+    fields.find("filter");
+    if (json->members.size() != 1 || !json->members.front().value.is(Json::Kind::object)) {
+        report_wrong_type(*json, fmt::format("input `{}`: \"filter\"", port.name),
+                          "a word, or one selection with a word for its items", errors);
+        return;
+    }
+    port.filter_by = json->members.front().key;
+    port.filter_where = json->members.front().where;
+    const Json& items = json->members.front().value;
+    JsonFields words(items, fmt::format("input `{}`: \"filter\"", port.name), errors);
+    for (const Json::Member& item : items.members) {
+        Filter filter = port.filter;
+        read_word<Filter, 2>(words, item.key, kFilters, filter, errors);
+        port.filter_of_item.emplace_back(item.key, filter);
+    }
+    words.finish();
+}
+
 InputPort read_input(const Json::Member& member, Errors& errors)
 {
     InputPort port;
@@ -74,8 +103,7 @@ InputPort read_input(const Json::Member& member, Errors& errors)
     JsonFields fields(member.value, fmt::format("input `{}`", member.key), errors);
     if (const Json* signal = fields.require("signal", Json::Kind::string))
         read_signal(*signal, port.signal, errors);
-    read_word<Filter, 2>(fields, "filter", {{{"nearest", Filter::nearest}, {"linear", Filter::linear}}}, port.filter,
-                         errors);
+    read_filter(fields, member.value, port, errors);
     read_word<AddressMode, 3>(
         fields, "wrap",
         {{{"clamp", AddressMode::clamp}, {"mirror", AddressMode::mirror}, {"repeat", AddressMode::repeat}}}, port.wrap,
@@ -138,6 +166,31 @@ void check_name(const std::string& name, std::string_view what, const Location& 
     if (const std::string why = why_reserved(name); !why.empty())
         errors.push_back({"reserved_name", fmt::format("{} cannot be called `{}`: {}", what, name, why),
                           "choose another name", where});
+}
+
+void check_filters(const PassDeclaration& pass, Errors& errors)
+{
+    for (const InputPort& port : pass.inputs) {
+        if (port.filter_by.empty())
+            continue;
+        std::vector<std::string> names;
+        for (const Selection& selection : pass.selections)
+            names.push_back(selection.name);
+        const int by = pass.find_selection(port.filter_by);
+        if (by < 0) {
+            errors.push_back({"unknown_item",
+                              fmt::format("input `{}`: there is no choice or ladder `{}` to decide the filter", port.name,
+                                          port.filter_by),
+                              suggest(port.filter_by, names, "choices and ladders"), port.filter_where});
+            continue;
+        }
+        const auto& items = pass.selections[static_cast<size_t>(by)].items;
+        for (const auto& [item, filter] : port.filter_of_item)
+            if (std::find(items.begin(), items.end(), item) == items.end())
+                errors.push_back({"unknown_item",
+                                  fmt::format("input `{}`: `{}` has no item `{}`", port.name, port.filter_by, item),
+                                  suggest(item, items, "items"), port.filter_where});
+    }
 }
 
 void read_inputs(const Json& inputs, PassDeclaration& pass, Errors& errors)

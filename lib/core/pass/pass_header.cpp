@@ -225,6 +225,7 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
         header::read_selections(*ladders, Selection::Kind::ladder, pass, errors);
     if (const Json* layouts = fields.find("layouts", Json::Kind::object))
         header::read_layouts(*layouts, pass, errors);
+    header::check_filters(pass, errors);
     if (const Json* reads = fields.find("reads", Json::Kind::array))
         read_reads(*reads, pass, errors);
     if (const Json* identity = fields.find("identity", Json::Kind::object))
