@@ -20,5 +20,6 @@ void add_run(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_bench(CLI::App& app, Action& chosen);
 void add_eval(CLI::App& app, Action& chosen);
+void add_test(CLI::App& app, Action& chosen);
 
 } // namespace passgraph::tool

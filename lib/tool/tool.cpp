@@ -102,6 +102,7 @@ int run_tool(int argc, const char* const* argv)
     add_render(app, chosen);
     add_bench(app, chosen);
     add_eval(app, chosen);
+    add_test(app, chosen);
 
     std::vector<std::string> words(argv + 1, argv + argc);
     words = !words.empty() && words.front() == "eval" ? with_expressions_apart(std::move(words)) : with_a_flag_each(words);
