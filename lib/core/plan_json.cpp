@@ -74,14 +74,6 @@ Object step_json(const Plan::Step& step, bool with_glsl)
     return json;
 }
 
-Object places_json(const Plan::Output& output)
-{
-    Object places = Object::array();
-    for (const Plan::Output::Place& place : output.places)
-        places.push_back({{"index", place.index}, {"channels", place.channels}});
-    return places;
-}
-
 } // namespace
 
 std::string to_json(const Plan& plan, bool with_glsl)
@@ -113,7 +105,7 @@ std::string to_json(const Plan& plan, bool with_glsl)
         json["outputs"].push_back({{"name", output.name},
                                    {"image", output.image},
                                    {"source", output.source == Plan::Read::Source::slot ? "slot" : "import"},
-                                   {"places", places_json(output)},
+                                   {"index", output.index},
                                    {"signal", info(output.signal).name},
                                    {"codec", output.codec.name},
                                    {"extent", extent_json(output.extent)}});

@@ -135,7 +135,7 @@ std::string to_dot(const Plan& plan)
         for (size_t writer = plan.steps.size(); writer-- > 0;) {
             const auto& targets = plan.steps[writer].targets;
             if (std::none_of(targets.begin(), targets.end(),
-                             [&](const auto& target) { return target.slot == plan.outputs[i].places.front().index; }))
+                             [&](const auto& target) { return target.slot == plan.outputs[i].index; }))
                 continue;
             text += fmt::format("  step{} -> output{};\n", writer, i);
             break;

@@ -87,10 +87,9 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
     for (size_t i = 0; redraws && i < count; ++i)
         runs[i] = !is_constant(plan.steps[i]) || !holds_it(i);
     for (const Plan::Output& output : plan.outputs)
-        for (const Plan::Output::Place& place : output.places)
-            if (const int producer = producer_of(plan, place.index, count);
-                output.source == Plan::Read::Source::slot && producer >= 0 && !holds_it(static_cast<size_t>(producer)))
-                runs[static_cast<size_t>(producer)] = true;
+        if (const int producer = producer_of(plan, output.index, count);
+            output.source == Plan::Read::Source::slot && producer >= 0 && !holds_it(static_cast<size_t>(producer)))
+            runs[static_cast<size_t>(producer)] = true;
     // A step that runs needs what it reads: held, and not overwritten by a step that runs in between.
     bool is_changed = true;
     while (is_changed) {
@@ -110,14 +109,10 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
         }
         // An output that is held may be overwritten too, before the frame's end.
         for (const Plan::Output& output : plan.outputs) {
-            for (const Plan::Output::Place& place : output.places) {
-                const int producer = output.source == Plan::Read::Source::slot ? producer_of(plan, place.index, count) : -1;
-                for (size_t other = 0; producer >= 0 && other < count; ++other) {
-                    if (!runs[other] || runs[static_cast<size_t>(producer)] || !draws_into(plan.steps[other], place.index))
-                        continue;
+            const int producer = output.source == Plan::Read::Source::slot ? producer_of(plan, output.index, count) : -1;
+            for (size_t other = 0; producer >= 0 && other < count; ++other)
+                if (runs[other] && !runs[static_cast<size_t>(producer)] && draws_into(plan.steps[other], output.index))
                     runs[static_cast<size_t>(producer)] = is_changed = true;
-                }
-            }
         }
     }
     return runs;

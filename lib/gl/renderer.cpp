@@ -15,13 +15,6 @@ bool needs_scene(const Plan::Step& step)
     return step.kind == Plan::Step::Kind::geometry || step.host.lights || step.host.elements;
 }
 
-void copy_channel(const Picture& from, int channel, Picture& to, int into)
-{
-    for (int y = 0; y < from.extent.height; ++y)
-        for (int x = 0; x < from.extent.width; ++x)
-            to.at(x, y, into) = channel < from.channels ? from.at(x, y, channel) : channel == 3 ? 1.0f : 0.0f;
-}
-
 } // namespace
 
 Renderer::Impl::~Impl()
@@ -144,6 +137,11 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     objects_.timing.mark_start(driver_.gl);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
+        if (options_.before_step) {
+            options_.before_step();
+            state_.reset();
+            blocks_->bind(state_);
+        }
         call.watch.enter(fmt::format("step `{}`", step.name));
         if (stale[i])
             draws_ += gl::draw_step(inputs, step, objects_.steps[i]);
@@ -178,11 +176,11 @@ Result<const Plan::Output*> Renderer::Impl::find_output(std::string_view name) c
                  .hint = suggest(name, names, "outputs")});
 }
 
-GLuint Renderer::Impl::texture_of(const Plan::Output& output, const Plan::Output::Place& place) const
+GLuint Renderer::Impl::texture_of(const Plan::Output& output) const
 {
     if (output.source == Plan::Read::Source::slot)
-        return objects_.slots[static_cast<size_t>(place.index)].id();
-    return (*imports_)[place.index].id;
+        return objects_.slots[static_cast<size_t>(output.index)].id();
+    return (*imports_)[output.index].id;
 }
 
 Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
@@ -190,7 +188,7 @@ Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
     const Result<const Plan::Output*> output = find_output(name);
     if (!output)
         return tl::unexpected(output.error());
-    const GLuint id = texture_of(**output, (*output)->places.front());
+    const GLuint id = texture_of(**output);
     if (id == 0)
         return fail({.code = "import_missing",
                      .message = fmt::format("output `{}` is an import, and nothing was imported", name),
@@ -207,20 +205,14 @@ Result<Picture> Renderer::Impl::read(std::string_view name, gl::Rectangle window
     const bool is_slot = output.source == Plan::Read::Source::slot;
     Call call(*this);
     const gl::Rectangle part = window.extent == Extent{} ? gl::Rectangle{0, 0, output.extent} : window;
-    Picture codes(part.extent, 4);
-    int code = 0;
-    for (const Plan::Output::Place& place : output.places) {
-        const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(place.index)].format : Format::rgba32f;
-        const Result<Picture> raw = reader_->read(call.upload, texture_of(output, place), format, part);
-        if (!raw)
-            return tl::unexpected(raw.error());
-        for (const char channel : place.channels)
-            copy_channel(*raw, static_cast<int>(std::string_view("rgba").find(channel)), codes, code++);
-    }
+    const Format format = is_slot ? objects_.plan.slots[static_cast<size_t>(output.index)].format : Format::rgba32f;
+    const Result<Picture> raw = reader_->read(call.upload, texture->id, format, part);
+    if (!raw)
+        return tl::unexpected(raw.error());
     // An import holds values as they are.
     const Codec codec = is_slot ? output.codec : Codec{"rgba32f", Format::rgba32f, Packing::plain};
     const DepthRange range = camera_ ? DepthRange{camera_->near_plane, camera_->far_plane} : DepthRange{};
-    return decode_texels(codes, output.signal, codec, range);
+    return decode_texels(*raw, output.signal, codec, range);
 }
 
 Renderer::Counters Renderer::Impl::counters() const

@@ -57,7 +57,7 @@ private:
     glsl::FrameBlock frame_block(const Frame& frame) const;
     gl::Versions versions() const;
     Result<const Plan::Output*> find_output(std::string_view name) const;
-    GLuint texture_of(const Plan::Output& output, const Plan::Output::Place& place) const;
+    GLuint texture_of(const Plan::Output& output) const;
 
     RendererOptions options_;
     gl::Driver driver_; ///< before all objects, which are deleted through it
@@ -87,7 +87,8 @@ struct Renderer::Impl::Call {
     gl::ErrorWatch watch;
     gl::Upload upload;
 
-    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_), upload{impl.driver_, impl.state_, watch}
+    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_),
+          upload{impl.driver_, impl.state_, watch, impl.options_.scrubs_imports, impl.options_.is_poisoned}
     {
         impl.state_.reset();
     }

@@ -78,7 +78,7 @@ void execute(const Plan& plan)
     }
     for (const Plan::Output& output : plan.outputs)
         if (output.source == Plan::Read::Source::slot)
-            CHECK(held[output.places.front().index] == output.image);
+            CHECK(held[output.index] == output.image);
 }
 
 using Descriptor = std::tuple<Format, int, int>;

@@ -231,7 +231,7 @@ TEST_CASE("only geometry has a depth buffer: a full-screen pass stores depth as 
     drawn.output("depth", drawn.add("gbuffer", surface)["depth"]);
     const Plan own = planned(drawn); // a color holds what is read, a depth buffer of its own what is tested against
     CHECK(own.slots[static_cast<size_t>(own.steps.front().depth_slot)].format == Format::depth32f);
-    CHECK(own.slots[static_cast<size_t>(own.outputs.front().places.front().index)].format == Format::r32f);
+    CHECK(own.slots[static_cast<size_t>(own.outputs.front().index)].format == Format::r32f);
 }
 
 TEST_CASE("mistakes made in C++ are kept and come back together", "[core][validate]")

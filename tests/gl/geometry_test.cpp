@@ -241,7 +241,7 @@ TEST_CASE("lights arrive in view space, in any number", "[gl][geometry]")
     builder.plan.outputs = {{"color",
                              "seen",
                              Plan::Read::Source::slot,
-                             {{slot, "rgba"}},
+                             slot,
                              Signal::radiance_alpha,
                              *find_codec(Signal::radiance_alpha, "rgba32f"),
                              {1, 1}}};

@@ -298,13 +298,13 @@ void PlanBuilder::output(const std::string& name, int slot, Signal signal, const
     const Codec* found = find_codec(signal, codec);
     REQUIRE(found != nullptr);
     const Plan::Slot& at = plan.slots[static_cast<size_t>(slot)];
-    plan.outputs.push_back({name, at.images[0], Plan::Read::Source::slot, {{slot, "rgba"}}, signal, *found, at.extent});
+    plan.outputs.push_back({name, at.images[0], Plan::Read::Source::slot, slot, signal, *found, at.extent});
 }
 
 void PlanBuilder::output_import(const std::string& name, int import)
 {
     const Plan::Import& at = plan.imports[static_cast<size_t>(import)];
-    plan.outputs.push_back({name, at.name, Plan::Read::Source::import, {{import, "rgba"}}, at.signal,
+    plan.outputs.push_back({name, at.name, Plan::Read::Source::import, import, at.signal,
                             Codec{"rgba32f", Format::rgba32f, Packing::plain}, at.extent});
 }
 

@@ -306,7 +306,7 @@ TEST_CASE("values and blocks are sent when they change, not before", "[gl][state
         .draw("fill", "uniform float gain;\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(gain); }\n",
               {slot})
         .uniforms = {{"gain", "fill.gain", ParamType::float_, Value(1.0), 0.0, 4.0}};
-    builder.plan.outputs.push_back({"color", "image", Plan::Read::Source::slot, {{slot, "rgba"}}, Signal::radiance,
+    builder.plan.outputs.push_back({"color", "image", Plan::Read::Source::slot, slot, Signal::radiance,
                                     *find_codec(Signal::radiance, "rgba32f"), {2, 2}});
     reset_spy();
     Scene scene = wall();

@@ -82,15 +82,10 @@ struct Plan {
     };
 
     struct Output {
-        /// Where some of the image's codes stand: a slot or import, and its channels.
-        struct Place {
-            int index = 0;
-            std::string channels;
-        };
         std::string name;
         std::string image;
         Read::Source source = Read::Source::slot;
-        std::vector<Place> places; ///< in the order of the codes; most images have one
+        int index = 0; ///< into `slots` or `imports`; holds nothing but this image
         Signal signal = Signal::radiance;
         Codec codec;
         Extent extent;

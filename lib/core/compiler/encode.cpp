@@ -18,7 +18,8 @@ Codec default_codec(const GraphNode& node, Signal signal)
 /// The targets of one pass, and where its outputs stand in them.
 class PassStorage {
 public:
-    PassStorage(const GraphNode& node, const std::vector<TypedImage>& images) : node_(node), layout_(layout_of(node))
+    PassStorage(const GraphNode& node, const std::vector<TypedImage>& images, const std::set<int>& handed_out)
+        : node_(node), handed_out_(handed_out), layout_(layout_of(node))
     {
         if (layout_)
             targets = layout_->targets;
@@ -42,9 +43,21 @@ private:
             return {};
         if (const Codec* own = find_codec(signal, node_.codecs[output]))
             return in_own_target(name, *own);
-        if (entry)
+        if (entry && !(handed_out_.contains(static_cast<int>(output)) && is_shared(*entry)))
             return {entry->codec, entry->places};
+        if (entry && entry->codec.packing != Packing::plain)
+            return in_own_target(name, entry->codec);
         return in_own_target(name, default_codec(node_, signal));
+    }
+
+    /// Other outputs stand in the same targets, or this one in several.
+    bool is_shared(const Layout::Output& entry) const
+    {
+        for (const Layout::Output& other : layout_->outputs)
+            for (const Layout::Place& place : other.places)
+                if (&other != &entry && place.target == entry.places.front().target)
+                    return true;
+        return entry.places.size() > 1;
     }
 
     Storage in_own_target(const std::string& name, const Codec& codec)
@@ -85,6 +98,7 @@ private:
     }
 
     const GraphNode& node_;
+    const std::set<int>& handed_out_; ///< outputs that the host reads: each alone in its target
     const Layout* layout_;
 };
 
@@ -127,7 +141,11 @@ Encoding encode(const TypedGraph& graph)
     for (int index = 0; index < graph.node_count(); ++index) {
         const auto& images = graph.images[static_cast<size_t>(index)];
         if (graph.is_pass(index)) {
-            PassStorage stored(graph.node(index), images);
+            std::set<int> handed_out;
+            for (const GraphOutput& output : graph.outputs)
+                if (output.from.node == index)
+                    handed_out.insert(output.from.output);
+            PassStorage stored(graph.node(index), images, handed_out);
             encoding.storage.push_back(std::move(stored.storage));
             encoding.targets.push_back(std::move(stored.targets));
             encoding.depth_target.push_back(stored.depth_target);

@@ -46,7 +46,7 @@ double kept_bytes_per_pixel(const Plan& plan)
     for (size_t slot = 0; slot < plan.slots.size(); ++slot) {
         const Plan::Slot& row = plan.slots[slot];
         const double size = static_cast<double>(bytes_per_texel(row.format)) * row.extent.width * row.extent.height;
-        if (output.source != Plan::Read::Source::slot || output.places.front().index != static_cast<int>(slot))
+        if (output.source != Plan::Read::Source::slot || output.index != static_cast<int>(slot))
             bytes += size;
     }
     return bytes > 0.0 ? bytes / pixels : bytes_per_texel(codecs_of(output.signal).front().format);
