@@ -13,6 +13,15 @@ std::string ProgramPool::key_of(const Plan::Step& step)
     return key;
 }
 
+std::shared_ptr<LinkedProgram> ProgramPool::find(const std::string& key)
+{
+    const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& known) { return known.key == key; });
+    if (entry == entries_.end())
+        return nullptr;
+    entries_.splice(entries_.begin(), entries_, entry);
+    return entry->program;
+}
+
 void ProgramPool::add(std::string key, std::shared_ptr<LinkedProgram> program)
 {
     entries_.push_front({std::move(key), std::move(program)});

@@ -15,7 +15,7 @@
 
 namespace passgraph::gl {
 
-/// A linked program and the values it was last sent; several plans may share it, but not two steps of one plan.
+/// A linked program and the values it was last sent, so that several steps, of one plan or of several, may share it.
 struct LinkedProgram {
     ProgramObject object;
     std::vector<std::optional<Value>> sent; ///< per uniform of the step
@@ -28,17 +28,8 @@ public:
     /// Everything that tells one program from another: texts, and the names whose order gives units and locations.
     static std::string key_of(const Plan::Step& step);
 
-    /// The program of this key for which `is_taken` is false, or nullptr.
-    template <class IsTaken> std::shared_ptr<LinkedProgram> find(const std::string& key, const IsTaken& is_taken)
-    {
-        for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-            if (entry->key != key || is_taken(*entry->program))
-                continue;
-            entries_.splice(entries_.begin(), entries_, entry);
-            return entry->program;
-        }
-        return nullptr;
-    }
+    /// The program of this key, or nullptr.
+    std::shared_ptr<LinkedProgram> find(const std::string& key);
     template <class Matches> bool holds(const Matches& matches) const
     {
         return std::any_of(entries_.begin(), entries_.end(),

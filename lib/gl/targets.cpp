@@ -102,18 +102,10 @@ Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, c
 }
 
 /// The step's program, linked before or now.
-Result<Program> obtain_program(Upload& upload, ProgramPool& pool, const PlanObjects& objects, const Plan::Step& step)
+Result<Program> obtain_program(Upload& upload, ProgramPool& pool, const Plan::Step& step)
 {
-    const auto is_taken = [&](const LinkedProgram& program) {
-        return std::any_of(objects.steps.begin(), objects.steps.end(),
-                           [&](const StepObjects& other) {
-                               return other.program.linked.get() == &program ||
-                                      (other.background && other.background->linked.get() == &program);
-                           });
-    };
     std::string key = ProgramPool::key_of(step);
-    std::shared_ptr<LinkedProgram> linked = pool.find(key, is_taken);
-    if (linked)
+    if (std::shared_ptr<LinkedProgram> linked = pool.find(key))
         return wire_program(upload.driver, upload.state, step, std::move(linked));
     Result<Program> program = create_program(upload.driver, upload.state, step);
     if (program)
@@ -126,7 +118,7 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
     const Plan& plan = made.plan;
     const Plan::Step& step = plan.steps[made.steps.size()];
     Result<FramebufferObject> framebuffer = create_framebuffer(upload, plan, step, made.slots);
-    Result<Program> program = obtain_program(upload, workshop.programs, made, step);
+    Result<Program> program = obtain_program(upload, workshop.programs, step);
     Errors errors;
     if (!framebuffer)
         append(errors, std::move(framebuffer.error()));
@@ -138,7 +130,7 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
     if (!step.background.empty()) {
         Plan::Step behind = step;
         behind.fragment = step.background;
-        Result<Program> background = obtain_program(upload, workshop.programs, made, behind);
+        Result<Program> background = obtain_program(upload, workshop.programs, behind);
         if (!background)
             return tl::unexpected(std::move(background.error()));
         objects.background = std::move(*background);

@@ -88,7 +88,7 @@ TEST_CASE("only programs whose text changed are compiled again", "[gl][plan]")
     CHECK(red(renderer) == 0.25f);
 }
 
-TEST_CASE("two steps of one plan never share a program", "[gl][plan]")
+TEST_CASE("steps that share a program draw with their own values", "[gl][plan]")
 {
     PlanBuilder builder(kExtent);
     const std::vector<int> slots = {builder.slot(Format::rgba32f, "a"), builder.slot(Format::rgba32f, "b")};

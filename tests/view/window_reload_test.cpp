@@ -1,5 +1,6 @@
 // Files that change under the window: passes, what they include, graphs and the scene, right and wrong.
-#include <fstream>
+#include <chrono>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -80,7 +81,7 @@ TEST_CASE("a half-written pass is waited for and not complained about", "[view][
     text.replace(text.find("seen * tint"), 11, "seen * vec3(1, 0, 0)");
     for (size_t length = 0; length < text.size(); length += text.size() / 12 + 1) {
         desk.write(kNight, text.substr(0, length));
-        desk.input("sleep 0.02");
+        std::this_thread::sleep_for(std::chrono::milliseconds(8));
     }
     desk.write(kNight, text);
     desk.picture_with(is_red, "a red picture");

@@ -65,7 +65,7 @@ template <class Load> auto Loader::load_settled(const Load& load, const WatchedP
 {
     auto loaded = load();
     // A clock of another machine may be ahead for ever, so the number of tries is bounded.
-    for (int tries = 0; !loaded.errors.empty() && tries < 8; ++tries) {
+    for (int tries = 0; !loaded.errors.empty() && tries < 12; ++tries) {
         const auto age = std::filesystem::file_time_type::clock::now() - FileWatch::latest(files);
         std::unique_lock lock(mutex_);
         if (age > kSettled || changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return is_ending_; }))

@@ -42,7 +42,7 @@ struct LoadedScene {
 /// and only then are its errors told.
 class Loader {
 public:
-    static constexpr std::chrono::milliseconds kSettled{250};
+    static constexpr std::chrono::milliseconds kSettled{400};
 
     /// `on_done` is called on the loader's thread when there is something to take.
     Loader(LoaderFiles files, std::function<void()> on_done);
