@@ -178,7 +178,7 @@ public:
         // Open selections are one analysis instead of one for each combination of items. Where it finds less, or nothing can
         // stand so, each combination is looked at.
         const auto open = selections_of(pass_, true);
-        bool is_complete = stands(open.all.front()) && analyse(open) && std::none_of(access_.begin(), access_.end(), is_unknown);
+        bool is_complete = stands(open.all.front()) && analyse(open) && !has_unknown_reach();
         if (!is_complete) {
             errors_.clear();
             check_includes();
@@ -198,9 +198,13 @@ public:
     }
 
 private:
-    static bool is_unknown(const std::optional<Access>& access)
+    bool has_unknown_reach() const
     {
-        return access && access->kind == AccessClass::gather && access->radius == Access::kUnknownRadius;
+        for (size_t i = 0; i < access_.size(); ++i)
+            if (pass_.inputs[i].over == Over::image && access_[i] && access_[i]->kind == AccessClass::gather &&
+                access_[i]->radius == Access::kUnknownRadius)
+                return true;
+        return false;
     }
 
     bool stands(const std::vector<int>& selections) const

@@ -37,7 +37,7 @@ constexpr std::array<const char*, 7> kRoughnesses = {"0.1", "0.2", "0.35", "0.5"
 
 constexpr Extent kRow{1260, 92};
 constexpr int kOversampling = 2; // of each row in both directions, for smooth edges
-constexpr int kMargin = 190;     // for the models' names
+constexpr int kMargin = 214;     // for the models' names
 constexpr int kHead = 64;
 constexpr std::array<float, 3> kInk = {0.88f, 0.87f, 0.84f};
 constexpr std::array<float, 3> kPale = {0.60f, 0.62f, 0.66f};
@@ -81,13 +81,11 @@ Picture empty_page()
 {
     const int rows = static_cast<int>(kModels.size());
     Picture page({kMargin + kRow.width, kHead + rows * kRow.height + 8}, 3);
-    for (size_t i = 0; i < page.texels.size(); ++i)
-        page.texels[i] = std::array{0.055f, 0.06f, 0.075f}[i % 3];
     for (size_t i = 0; i < 2 * kRoughnesses.size(); ++i) {
-        // As make_spheres.py places them: 2.2 apart, 0.8 between gold and lacquer, 33.4 wide with a margin.
+        // As make_spheres.py places them: 2.2 apart, 0.8 between gold and lacquer; the camera sees 31.9 of it.
         const bool is_lacquer = i >= kRoughnesses.size();
-        const double x = (static_cast<double>(i) * 2.2 + (is_lacquer ? 0.8 : 0.0) - 14.7) / 32.95 + 0.5;
-        draw_label(page, kRoughnesses[i % kRoughnesses.size()], kMargin + static_cast<int>(x * kRow.width) - 10, 40, kPale);
+        const double x = (static_cast<double>(i) * 2.2 + (is_lacquer ? 0.8 : 0.0) - 14.7) / 31.9 + 0.5;
+        draw_label(page, kRoughnesses[i % kRoughnesses.size()], kMargin + static_cast<int>(x * kRow.width) - 15, 40, kPale);
     }
     draw_label(page, "roughness", 18, 40, kPale);
     draw_label(page, "gold", kMargin + kRow.width / 4 - 20, 12, kInk);
