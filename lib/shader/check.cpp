@@ -175,17 +175,16 @@ public:
     Result<void> run()
     {
         check_includes();
-        const auto selections = selections_of(pass_);
-        const auto statics = statics_of(pass_);
-        bool is_complete = selections.is_complete && is_same_everywhere(pass_.body);
-        for (const auto& selection : selections.all) {
-            // With its static values unknown but in range, a body is analysed for all of them at once. Where it needs
-            // constants (an array's size), the ends of their ranges stand for them.
-            const bool is_followed = !statics.all.front().empty() && read_live(selection);
-            is_complete = is_complete && (is_followed || statics.is_complete);
-            for (const auto& values : statics.all)
-                if (errors_.size() <= 20)
-                    check_variant(selection, values, !is_followed);
+        // Open selections are one analysis instead of one for each combination of items. Where it finds less, or nothing can
+        // stand so, each combination is looked at.
+        const auto open = selections_of(pass_, true);
+        bool is_complete = stands(open.all.front()) && analyse(open) && !has_unknown_reach();
+        if (!is_complete) {
+            errors_.clear();
+            check_includes();
+            is_used_.assign(is_used_.size(), false);
+            access_.assign(access_.size(), std::nullopt);
+            is_complete = analyse(selections_of(pass_, false));
         }
         if (errors_.empty())
             report_unused();
@@ -199,6 +198,38 @@ public:
     }
 
 private:
+    bool has_unknown_reach() const
+    {
+        for (size_t i = 0; i < access_.size(); ++i)
+            if (pass_.inputs[i].over == Over::image && access_[i] && access_[i]->kind == AccessClass::gather &&
+                access_[i]->radius == Access::kUnknownRadius)
+                return true;
+        return false;
+    }
+
+    bool stands(const std::vector<int>& selections) const
+    {
+        std::vector<std::string> sources;
+        return static_cast<bool>(ParsedShader::parse(glsl::standalone_text(pass_, selections, sources), sources));
+    }
+
+    /// True when what was found holds for every setting there is.
+    bool analyse(const VariantList<int>& selections)
+    {
+        const auto statics = statics_of(pass_);
+        bool is_complete = selections.is_complete && is_same_everywhere(pass_.body);
+        for (const auto& selection : selections.all) {
+            // With its static values unknown but in range, a body is analysed for all of them at once. Where it needs
+            // constants (an array's size), the ends of their ranges stand for them.
+            const bool is_followed = !statics.all.front().empty() && read_live(selection);
+            is_complete = is_complete && (is_followed || statics.is_complete);
+            for (const auto& values : statics.all)
+                if (errors_.size() <= 20)
+                    check_variant(selection, values, !is_followed);
+        }
+        return is_complete;
+    }
+
     /// One mistake is seen under many variants: it is reported once.
     void report(Error error)
     {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/glsl/assemble.hpp"
+#include "core/pass/glsl_scan.hpp"
+
 namespace passgraph::shader {
 namespace {
 
@@ -35,6 +38,15 @@ VariantList<Setting> combinations(const std::vector<std::vector<Setting>>& value
     return variants;
 }
 
+/// True when the preprocessor may see the selection, so that the body is another text for each of its items.
+bool stands_in_directive(const GlslText& body, const Selection& selection)
+{
+    const auto tokens = scan_glsl(body.text, 1, 1);
+    return std::any_of(tokens.begin(), tokens.end(), [&](const GlslToken& token) {
+        return token.is_directive && token.text.find(selection.name) != std::string_view::npos;
+    });
+}
+
 std::vector<Value> candidate_values(const Param& param)
 {
     std::vector<Value> values = {param.default_value};
@@ -61,13 +73,16 @@ std::vector<Value> candidate_values(const Param& param)
 
 } // namespace
 
-VariantList<int> selections_of(const PassDeclaration& pass)
+VariantList<int> selections_of(const PassDeclaration& pass, bool leaves_open)
 {
     std::vector<std::vector<int>> values;
     std::vector<int> defaults;
     for (const Selection& selection : pass.selections) {
-        defaults.push_back(selection.default_item);
+        const bool is_open = leaves_open && selection.kind != Selection::Kind::layout && !stands_in_directive(pass.body, selection);
+        defaults.push_back(is_open ? glsl::kAnyItem : selection.default_item);
         values.emplace_back();
+        if (is_open)
+            continue;
         for (size_t item = 0; selection.kind != Selection::Kind::layout && item < selection.items.size(); ++item)
             values.back().push_back(static_cast<int>(item));
     }

@@ -18,15 +18,6 @@ enum class Part { whole, surfaces, background };
 
 std::string prefix_of(int number) { return fmt::format("p{}_", number); }
 
-int seen_components(const InputPort& port) { return info(port.signal).components; }
-
-std::string constant_value(const InputPort& port)
-{
-    const int components = seen_components(port);
-    const ParamType types[] = {ParamType::float_, ParamType::vec2, ParamType::vec3, ParamType::vec4};
-    return literal(types[components - 1], port.default_value);
-}
-
 /// The expression that reads an input at `place` ("uv, 0.0"), decoded, guarded when the host supplies it.
 /// Codes that stand in the first channels of one texture are its texel; others are gathered into a vec4.
 std::string texture_value(const InputSource& source, std::string_view function, std::string_view place)
@@ -317,6 +308,15 @@ void main()
 
 } // namespace
 
+int seen_components(const InputPort& port) { return info(port.signal).components; }
+
+std::string constant_value(const InputPort& port)
+{
+    const int components = seen_components(port);
+    const ParamType types[] = {ParamType::float_, ParamType::vec2, ParamType::vec3, ParamType::vec4};
+    return literal(types[components - 1], port.default_value);
+}
+
 std::string value_name(const Instance& instance, size_t output)
 {
     return fmt::format("v{}_{}", instance.number, instance.pass->outputs[output].name);
@@ -375,54 +375,6 @@ StepText assemble(const StepSource& step)
     if (step.has_background)
         text.background = fragment_text(step, text.sources, Part::background);
     return text;
-}
-
-std::string standalone_text(const PassDeclaration& pass, const std::vector<int>& selections,
-                            std::vector<std::string>& sources)
-{
-    // Nothing is renamed here: parameters, accessors and includes keep their names, for glslang's messages and analysis.
-    ProgramText text(sources);
-    text.add_line("#version 330 core");
-    text.add(accessors(pass.reads, pass.kind));
-    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
-    for (const InputPort& port : pass.inputs) {
-        if (port.over == Over::scene)
-            continue;
-        const std::string_view type = glsl_type(seen_components(port));
-        if (port.over == Over::sphere) {
-            text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, port.name,
-                                      constant_value(port)));
-            text.add_line(fmt::format("float {}_top_lod() {{ return 0.0; }}", port.name));
-            if (port.has_levels)
-                text.add_line(fmt::format("{} {}_irradiance(vec3 direction) {{ return {}; }}", type, port.name,
-                                          constant_value(port)));
-            continue;
-        }
-        text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", type, port.name, constant_value(port)));
-        if (port.has_levels)
-            text.add_line(
-                fmt::format("{} {}_lod(vec2 uv, float lod) {{ return {}; }}", type, port.name, constant_value(port)));
-        text.add_line(fmt::format("vec2 {}_texel() {{ return vec2(1.0); }}\nivec2 {}_size() {{ return ivec2(1); }}",
-                                  port.name, port.name));
-    }
-    Renames renames;
-    for (const Param& param : pass.params) {
-        text.add_line(param.is_static ? fmt::format("const {} {} = {};", glsl_type_of(param.type), param.name,
-                                                    literal(param.type, param.default_value))
-                                      : fmt::format("uniform {} {};", glsl_type_of(param.type), param.name));
-        for (size_t item = 0; item < param.items.size(); ++item)
-            renames.emplace_back(param.name + "_" + param.items[item], std::to_string(item));
-    }
-    for (size_t i = 0; i < pass.selections.size(); ++i) {
-        renames.emplace_back(pass.selections[i].name, std::to_string(selections[i]));
-        for (size_t item = 0; item < pass.selections[i].items.size(); ++item)
-            renames.emplace_back(pass.selections[i].name + "_" + pass.selections[i].items[item], std::to_string(item));
-    }
-    GlslText body = pass.body;
-    body.globals.clear();
-    text.add_module(body, "", std::move(renames));
-    text.add_line("void main() {}");
-    return text.take();
 }
 
 } // namespace passgraph::glsl

@@ -78,8 +78,15 @@ std::string uniform_name(int instance_number, std::string_view param);
 
 StepText assemble(const StepSource& step);
 
+/// How many numbers a pass sees of an input, and what it sees of one to which nothing is wired.
+int seen_components(const InputPort& port);
+std::string constant_value(const InputPort& port);
+
 /// GLSL that the accessors of inputs over a sphere call.
 std::string_view sphere_functions();
+
+/// Instead of an item's number in a standalone text: the selection is a number that nobody knows.
+inline constexpr int kAnyItem = -1;
 
 /// The declarations a pass's body sees: accessors, parameters, selections, includes, all under their own names, with its
 /// body. `prototypes_only`: accessors have no body, so that an analysis sees which are called.
