@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/graph_settings.hpp"
+#include "core/pass/header_fields.hpp"
 #include "passgraph/core/graph_file.hpp"
 
 namespace passgraph {
@@ -111,6 +112,11 @@ Result<PassPtr> declare_composite(std::shared_ptr<const GraphDescription> descri
     pass->file = description->file;
     declare_ports(*pass, *description, inside);
     declare_settings(*pass, *description, inside);
+    Errors errors;
+    if (description->contract)
+        header::read_contract(*description->contract, *pass, errors);
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
     pass->composite = std::move(description);
     return PassPtr(std::move(pass));
 }

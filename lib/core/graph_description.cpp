@@ -25,6 +25,8 @@ public:
         graph_.summary = fields.text("summary");
         graph_.source = fields.text("source");
         fields.find("$schema");
+        if (const Json* contract = fields.find("contract", Json::Kind::object))
+            graph_.contract = *contract;
         if (const Json* inputs = fields.find("inputs", Json::Kind::object))
             for (const Json::Member& member : inputs->members)
                 read_input(member);

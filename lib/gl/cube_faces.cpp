@@ -16,7 +16,7 @@ constexpr float kLargestHalf = 65504.0f;
 } // namespace
 
 Result<std::array<Picture, 6>> cube_faces(const std::array<Picture, 6>& faces, Signal signal, std::string_view subject,
-                                          const Limits& limits)
+                                          const Limits& limits, bool is_guarded)
 {
     Errors errors;
     for (size_t i = 0; i < faces.size(); ++i) {
@@ -41,7 +41,7 @@ Result<std::array<Picture, 6>> cube_faces(const std::array<Picture, 6>& faces, S
         return tl::unexpected(std::move(errors));
     std::array<Picture, 6> rgba;
     for (size_t i = 0; i < faces.size(); ++i) {
-        rgba[i] = to_rgba(faces[i], signal);
+        rgba[i] = to_rgba(faces[i], signal, is_guarded);
         for (float& value : rgba[i].texels) // stored in binary16
             value = std::clamp(value, -kLargestHalf, kLargestHalf);
     }

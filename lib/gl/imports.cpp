@@ -126,7 +126,7 @@ Result<void> Imports::set_picture(Upload& upload, std::string_view name, const P
     }
     texture.id = texture.owned.id();
     texture.version = next_version();
-    fill_picture(upload, texture.id, to_rgba(picture, texture.import.signal), texture.has_levels);
+    fill_picture(upload, texture.id, to_rgba(picture, texture.import.signal, upload.scrubs_imports), texture.has_levels);
     upload.watch.check();
     upload.watch.leave();
     if (Errors errors = upload.watch.take(); !errors.empty())
@@ -142,7 +142,7 @@ Result<void> Imports::set_cube(Upload& upload, std::string_view name, const std:
     ImportTexture& texture = **found;
     if (!texture.is_cube())
         return fail(wrong_kind(texture.import, "cube map"));
-    const auto rgba = cube_faces(faces, texture.import.signal, fmt::format("`{}`", name), upload.driver.limits);
+    const auto rgba = cube_faces(faces, texture.import.signal, fmt::format("`{}`", name), upload.driver.limits, upload.scrubs_imports);
     if (!rgba)
         return tl::unexpected(rgba.error());
     upload.watch.enter(fmt::format("import `{}`", name));

@@ -144,6 +144,11 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     objects_.timing.mark_start(driver_.gl);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
+        if (options_.before_step) {
+            options_.before_step();
+            state_.reset();
+            blocks_->bind(state_);
+        }
         call.watch.enter(fmt::format("step `{}`", step.name));
         if (stale[i])
             draws_ += gl::draw_step(inputs, step, objects_.steps[i]);

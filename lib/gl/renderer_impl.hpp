@@ -87,7 +87,8 @@ struct Renderer::Impl::Call {
     gl::ErrorWatch watch;
     gl::Upload upload;
 
-    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_), upload{impl.driver_, impl.state_, watch}
+    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_),
+          upload{impl.driver_, impl.state_, watch, impl.options_.scrubs_imports, impl.options_.is_poisoned}
     {
         impl.state_.reset();
     }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <vector>
 
 namespace passgraph::gl {
 namespace {
@@ -54,6 +56,20 @@ void set_reading(const Functions& gl, GLenum target, bool has_levels)
     gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+bool has_nan(Format format)
+{
+    switch (format) {
+    case Format::r16f:
+    case Format::rg16f:
+    case Format::rgba16f:
+    case Format::r11f_g11f_b10f:
+    case Format::r32f:
+    case Format::rg32f:
+    case Format::rgba32f: return true;
+    default: return false; // a depth of NaN is clamped by some drivers and kept by others
+    }
+}
+
 float component(const Picture& picture, const float* texel, int index, int components)
 {
     const bool is_alpha = index == 3;
@@ -78,11 +94,15 @@ GLenum internal_format(Format format)
 
 TextureObject create_target(Upload& upload, Format format, Extent extent)
 {
+    std::vector<float> poison;
+    if (upload.is_poisoned)
+        poison.assign(static_cast<size_t>(extent.width) * static_cast<size_t>(extent.height) * (is_depth(format) ? 1 : 4),
+                      has_nan(format) ? std::numeric_limits<float>::quiet_NaN() : 1.0f);
     TextureObject texture(upload.driver);
     upload.state.edit_texture(GL_TEXTURE_2D, texture.id());
     const Functions& gl = upload.driver.gl;
     gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format(format)), extent.width, extent.height, 0,
-                  is_depth(format) ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, nullptr);
+                  is_depth(format) ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, upload.is_poisoned ? poison.data() : nullptr);
     set_reading(gl, GL_TEXTURE_2D, false);
     return texture;
 }
@@ -147,7 +167,7 @@ TextureObject create_filled(Upload& upload, Format format, Extent extent, const 
     return texture;
 }
 
-Picture to_rgba(const Picture& picture, Signal signal)
+Picture to_rgba(const Picture& picture, Signal signal, bool is_guarded)
 {
     const int components = info(signal).components;
     Picture values(picture.extent, components);
@@ -156,7 +176,8 @@ Picture to_rgba(const Picture& picture, Signal signal)
         for (int c = 0; c < components; ++c)
             values.texels[i * static_cast<size_t>(components) + static_cast<size_t>(c)] =
                 component(picture, &picture.texels[i * static_cast<size_t>(picture.channels)], c, components);
-    apply_guard(values, signal);
+    if (is_guarded)
+        apply_guard(values, signal);
     if (components == 4)
         return values;
     Picture rgba(picture.extent, 4);

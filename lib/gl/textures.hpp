@@ -19,11 +19,13 @@ struct Upload {
     Driver& driver;
     State& state;
     ErrorWatch& watch;
+    bool scrubs_imports = true; ///< as RendererOptions
+    bool is_poisoned = false;
 };
 
 GLenum internal_format(Format format);
 
-/// A texture of undefined contents and one level, to be drawn into.
+/// A texture of undefined contents and one level, to be drawn into. Poisoned, it holds NaN, or 1 in formats without one.
 TextureObject create_target(Upload& upload, Format format, Extent extent);
 
 /// A binary32 RGBA texture of one level or all of them.
@@ -50,9 +52,9 @@ TextureObject create_filled(Upload& upload, Format format, Extent extent, const 
 /// The host's picture as values of a signal in RGBA: guarded; missing components 0, alpha 1, grey spread over RGB.
 ///
 /// Shape    same extent, 4 channels.
-/// Range    any floats; non-finite ones are replaced by the signal's guard.
+/// Range    any floats; non-finite ones are replaced by the signal's guard, unless it is left out.
 /// Errors   none.
-Picture to_rgba(const Picture& picture, Signal signal);
+Picture to_rgba(const Picture& picture, Signal signal, bool is_guarded = true);
 
 /// Sampler objects, one per way of reading, made while a plan or a scene is taken in.
 class Samplers {

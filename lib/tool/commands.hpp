@@ -22,5 +22,6 @@ void add_bench(CLI::App& app, Action& chosen);
 void add_eval(CLI::App& app, Action& chosen);
 void add_view(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
+void add_test(CLI::App& app, Action& chosen);
 
 } // namespace passgraph::tool

@@ -76,6 +76,28 @@ Object layout_json(const Layout& layout)
     return {{"name", layout.name}, {"targets", targets}, {"outputs", outputs}};
 }
 
+Object spans_json(const std::vector<Contract::Span>& spans)
+{
+    Object json = Object::object();
+    for (const Contract::Span& span : spans)
+        json[span.port] = Object::array({span.lowest, span.is_saturated ? Object("saturated") : Object(span.highest)});
+    return json;
+}
+
+Object contract_json(const Contract& contract)
+{
+    if (!contract.is_stated)
+        return nullptr;
+    Object laws = Object::array();
+    for (const Law law : contract.laws)
+        laws.push_back(name(law));
+    Object json = {{"domain", spans_json(contract.domain)}, {"range", spans_json(contract.range)}};
+    json["non_finite"] = contract.non_finite == Contract::NonFinite::replaced ? "replaced" : "contained";
+    json["within"] = contract.within;
+    json["laws"] = laws;
+    return json;
+}
+
 } // namespace
 
 nlohmann::ordered_json pass_json(const PassDeclaration& pass)
@@ -111,6 +133,7 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
     for (const Layout& layout : pass.layouts)
         json["layouts"].push_back(layout_json(layout));
     json["identity"] = pass.identity_when.empty() ? Object(nullptr) : Object{{"when", pass.identity_when}, {"is", pass.identity_is}};
+    json["contract"] = contract_json(pass.contract);
     return json;
 }
 

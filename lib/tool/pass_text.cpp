@@ -104,6 +104,24 @@ std::string pass_entry(const PassDeclaration& pass)
     return text;
 }
 
+/// What the pass promises, a line each.
+std::string contract_lines(const Contract& contract)
+{
+    if (!contract.is_stated)
+        return "";
+    std::string text = contract.non_finite == Contract::NonFinite::replaced ? "contract non-finite values are replaced\n"
+                       : contract.within.empty() ? "contract non-finite values reach no further than the pass reads\n"
+                                                 : fmt::format("contract non-finite values reach {} texels\n", contract.within);
+    for (const Contract::Span& span : contract.domain)
+        text += fmt::format("  {}  from {} to {}\n", span.port, span.lowest, span.highest);
+    for (const Contract::Span& span : contract.range)
+        text += fmt::format("  {}  from {} to {}{}\n", span.port, span.lowest, span.highest,
+                            span.is_saturated ? ", cut off there" : "");
+    for (const Law law : contract.laws)
+        text += fmt::format("  {}: {}\n", name(law), meaning(law));
+    return text;
+}
+
 std::string pass_page(const PassDeclaration& pass)
 {
     std::string text = fmt::format("{}: {}\n", pass.name, pass.summary);
@@ -111,6 +129,7 @@ std::string pass_page(const PassDeclaration& pass)
                         pass.composite ? "composite" : pass.kind == PassKind::geometry ? "geometry" : "image", pass.source, pass.file);
     if (!pass.identity_when.empty())
         text += fmt::format("identity is {} when {}\n", pass.identity_is, pass.identity_when);
+    text += contract_lines(pass.contract);
     if (!pass.inputs.empty())
         text += "inputs\n";
     for (const InputPort& port : pass.inputs)

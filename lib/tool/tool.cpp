@@ -104,6 +104,7 @@ int run_tool(int argc, const char* const* argv)
     add_eval(app, chosen);
     add_view(app, chosen);
     add_accuracy(app, chosen);
+    add_test(app, chosen);
 
     std::vector<std::string> words(argv + 1, argv + argc);
     words = !words.empty() && words.front() == "eval" ? with_expressions_apart(std::move(words)) : with_a_flag_each(words);

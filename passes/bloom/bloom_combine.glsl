@@ -5,6 +5,11 @@
   "outputs": { "color": { "signal": "radiance", "size": { "of": "scene" } } },
   "params": { "strength": { "type": "float", "default": 1, "range": [0, 8] } },
   "identity": { "when": "strength == 0", "is": "scene" },
+  "contract": {
+    "range": { "color": [0, "saturated"] },
+    "non_finite": "contained",
+    "laws": ["black", "energy", "monotone", "mirror", "scale"]
+  },
   "source": "the 2017 demo"
 }*/
 vec3 bloom_combine(vec2 uv)

@@ -15,6 +15,10 @@
     "sampling": { "items": ["linear_pairs", "nearest_taps"], "default": "nearest_taps", "reference": "gaussian" }
   },
   "identity": { "when": "sigma == 0", "is": "image" },
+  "contract": {
+    "non_finite": { "contained": "taps == taps_25 ? 12 : taps == taps_13 ? 6 : taps == taps_5 ? 2 : 4" },
+    "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]
+  },
   "source": "separable Gaussian; learnopengl5: de Vries, LearnOpenGL, Bloom; linear pairs: Rakos 2010, Efficient Gaussian blur with linear sampling"
 }*/
 #if taps == taps_5

@@ -4,6 +4,7 @@
   "reads": ["camera"],
   "inputs": { "depth": "depth" },
   "outputs": { "position": "position" },
+  "contract": { "non_finite": "replaced" },
   "source": "own derivation; relative error 2^-23 with reversed depth32f, where an inverse view-projection is metres off"
 }*/
 vec3 position_from_depth(vec2 uv)

@@ -8,6 +8,7 @@
     "atlas_emissive": { "signal": "radiance", "over": "table", "filter": "linear" }
   },
   "outputs": { "albedo": "albedo", "material": "material", "emissive": "radiance" },
+  "contract": { "non_finite": "contained", "laws": ["black"] },
   "source": "the 2017 demo's three-target layout"
 }*/
 void surface_from_atlas(vec2 uv, out vec3 albedo, out vec3 material, out vec3 emissive)

@@ -6,6 +6,11 @@
   "outputs": { "color": { "signal": "radiance", "size": { "of": "image" } } },
   "only_where": { "no_depth": "image" },
   "params": { "intensity": { "type": "float", "default": 1, "range": [0, 100] } },
+  "contract": {
+    "range": { "color": [0, "saturated"] },
+    "non_finite": "contained",
+    "laws": ["constant", "black", "energy", "monotone"]
+  },
   "source": "Greene 1986, Environment Mapping and Other Applications of World Projections"
 }*/
 vec3 sky(vec2 uv)

@@ -3,6 +3,10 @@
   "summary": "Halves a picture: each texel is the mean of the four it covers.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
+  "contract": {
+    "non_finite": { "contained": 1 },
+    "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]
+  },
   "source": "the box filter"
 }*/
 vec3 downsample(vec2 uv)

@@ -3,6 +3,10 @@
   "summary": "Doubles a picture, bilinearly.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [2, 1] } } },
+  "contract": {
+    "non_finite": { "contained": 1 },
+    "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]
+  },
   "source": "bilinear interpolation"
 }*/
 vec3 upsample(vec2 uv)

@@ -26,6 +26,7 @@ struct CompileOptions {
     bool cull = true;  ///< false: passes that nothing needs run all the same
     bool alias = true; ///< false: every stored image has its own slot
     bool guards = true; ///< false: what a pass returns is stored as it is, outside its signal's domain too
+    bool import_guards = true; ///< false: passes get what the host supplies as it is; for the contract suite
 };
 
 /// Turns a declared graph into a plan. Pure and deterministic: equal graphs and options give equal plans, byte for byte.

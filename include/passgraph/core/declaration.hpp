@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <passgraph/core/codec.hpp>
+#include <passgraph/core/contract.hpp>
 #include <passgraph/core/error.hpp>
 #include <passgraph/core/signal.hpp>
 
@@ -187,6 +188,7 @@ struct PassDeclaration {
     std::string identity_is;   ///< the input that the pass then is
     OnlyWhere only_where = OnlyWhere::everywhere;
     std::string elsewhere; ///< the input that the pass is where only_where does not hold; "": its outputs are 0 there
+    Contract contract;
     GlslText body;
     std::shared_ptr<const GraphDescription> composite; ///< set when the pass is a graph file with ports
 

@@ -55,6 +55,7 @@ struct GraphDescription {
     std::vector<Pass> passes;
     std::vector<GraphParam> params;
     std::vector<Output> outputs;
+    std::optional<Json> contract{}; ///< of a composite, read once its ports are known
 };
 
 /// Reads the text of a graph file.

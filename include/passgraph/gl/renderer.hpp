@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,6 +45,10 @@ struct RendererOptions {
     GlLoader loader = nullptr;   ///< of the current context
     bool is_timed = false;       ///< a timestamp after each step
     bool restores_state = false; ///< leave the host's GL state as it was found
+    bool scrubs_imports = true;  ///< false: pictures and cube maps are uploaded as they are, non-finite values included
+    bool is_poisoned = false;    ///< textures to draw into start as NaN (1 where the format has none), to find what is read unwritten
+    /// Called before each step of a frame; may leave any GL state behind, except the objects the renderer owns. For tests.
+    std::function<void()> before_step{};
 };
 
 /// The limits of the current context. Errors: gl_too_old, gl_function_missing (lacks of the machine).

@@ -16,10 +16,11 @@ namespace {
 class StepLowering {
 public:
     StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
-                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, bool has_guards)
-        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw)
+                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, const CompileOptions& options)
+        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw),
+          guards_imports_(options.import_guards)
     {
-        source_.has_guards = has_guards;
+        source_.has_guards = options.guards;
     }
 
     Plan::Step run()
@@ -97,7 +98,7 @@ private:
             return source;
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
-        source.is_import = imports_.contains(wire->from);
+        source.is_import = guards_imports_ && imports_.contains(wire->from);
         source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
                                  encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
         for (const Layout::Place& place : encoding_.of(wire->from).places)
@@ -181,6 +182,7 @@ private:
     const Slots& slots_;
     const std::map<ImageRef, int, ImageLess>& imports_;
     const Draw& draw_;
+    bool guards_imports_;
     Plan::Step step_;
     glsl::StepSource source_;
     std::map<int, int> instance_of_;
@@ -227,7 +229,7 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.inlined = draws.inlined;
     for (const int draw : order)
         plan.steps.push_back(
-            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options.guards).run());
+            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
     for (const GraphOutput& output : graph.outputs) {
         Plan::Output result;
         result.name = output.name;

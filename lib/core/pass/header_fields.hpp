@@ -19,6 +19,14 @@ void check_filters(const PassDeclaration& pass, Errors& errors);
 /// "layouts" of a geometry pass: targets, and places or a derivation per output; adds the selection "layout".
 void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors);
 
+/// "contract": what the pass promises of its values; after its ports, parameters and selections.
+void read_contract(const Json& contract, PassDeclaration& pass, Errors& errors);
+/// "identity": under which parameters the pass is which of its inputs; after its ports.
+void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors);
+
+/// The pass can be the input that `named` names: one output, of its signal and extent. Else unknown_input, identity_mismatch.
+void check_is_input(const Json& named, const PassDeclaration& pass, Errors& errors);
+
 /// Reports a name that GLSL or generated code keeps for itself (reserved_name).
 void check_name(const std::string& name, std::string_view what, const Location& where, Errors& errors);
 

@@ -98,34 +98,6 @@ void read_reads(const Json& reads, PassDeclaration& pass, Errors& errors)
     }
 }
 
-/// The pass can be the input that `named` names: one output, and equal signals.
-void check_is_input(const Json& named, const PassDeclaration& pass, Errors& errors)
-{
-    const int input = pass.find_input(named.string);
-    std::vector<std::string> names;
-    for (const InputPort& port : pass.inputs)
-        names.push_back(port.name);
-    if (input < 0)
-        errors.push_back({"unknown_input", fmt::format("there is no input `{}`", named.string),
-                          suggest(named.string, names, "inputs"), named.where});
-    else if (pass.outputs.size() != 1 || pass.outputs.front().signal != pass.inputs[static_cast<size_t>(input)].signal)
-        errors.push_back({"identity_mismatch",
-                          fmt::format("the pass cannot be its input `{}`: their signals differ", named.string),
-                          "name an input of the output's signal", named.where});
-}
-
-void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors)
-{
-    JsonFields fields(identity, "\"identity\"", errors);
-    if (const Json* when = fields.require("when", Json::Kind::string))
-        pass.identity_when = when->string;
-    if (const Json* is = fields.require("is", Json::Kind::string)) {
-        pass.identity_is = is->string;
-        check_is_input(*is, pass, errors);
-    }
-    fields.finish();
-}
-
 /// "depth", or { "no_depth": INPUT }.
 void read_only_where(const Json& where, PassDeclaration& pass, Errors& errors)
 {
@@ -137,7 +109,7 @@ void read_only_where(const Json& where, PassDeclaration& pass, Errors& errors)
         if (const Json* elsewhere = fields.require("no_depth", Json::Kind::string)) {
             pass.only_where = OnlyWhere::no_depth;
             pass.elsewhere = elsewhere->string;
-            check_is_input(*elsewhere, pass, errors);
+            header::check_is_input(*elsewhere, pass, errors);
         }
         fields.finish();
         return;
@@ -231,7 +203,9 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
     if (const Json* reads = fields.find("reads", Json::Kind::array))
         read_reads(*reads, pass, errors);
     if (const Json* identity = fields.find("identity", Json::Kind::object))
-        read_identity(*identity, pass, errors);
+        header::read_identity(*identity, pass, errors);
+    if (const Json* contract = fields.find("contract", Json::Kind::object))
+        header::read_contract(*contract, pass, errors);
     if (const Json* where = fields.find("only_where"))
         read_only_where(*where, pass, errors);
     fields.finish();

@@ -1,0 +1,394 @@
+// Finite, in range, replaced or contained, guarded: what becomes of values inside and outside the domain.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include <passgraph/core/codec.hpp>
+
+#include "tool/contract/hostile.hpp"
+#include "tool/contract/scenes.hpp"
+#include "tool/contract/suite.hpp"
+#include "tool/contract/values.hpp"
+
+namespace passgraph::tool::contract {
+namespace {
+
+using Outputs = std::map<std::string, Picture>;
+
+struct Texel {
+    int x = 0;
+    int y = 0;
+};
+
+std::string place_text(const std::string& output, Texel texel, Extent extent)
+{
+    return fmt::format("`{}` at ({}, {}) of {}x{}", output, texel.x, texel.y, extent.width, extent.height);
+}
+
+std::string texel_text(const Picture& picture, Texel texel)
+{
+    std::vector<std::string> values;
+    for (int c = 0; c < picture.channels; ++c)
+        values.push_back(fmt::format("{:.9g}", picture.at(texel.x, texel.y, c)));
+    return fmt::format("{}", fmt::join(values, ", "));
+}
+
+template <class IsBad>
+std::optional<Texel> find_texel(const Picture& picture, const IsBad& is_bad)
+{
+    for (int y = 0; y < picture.extent.height; ++y)
+        for (int x = 0; x < picture.extent.width; ++x)
+            if (is_bad(Texel{x, y}))
+                return Texel{x, y};
+    return std::nullopt;
+}
+
+bool is_finite(const Picture& picture, Texel texel)
+{
+    for (int c = 0; c < picture.channels; ++c)
+        if (!std::isfinite(picture.at(texel.x, texel.y, c)))
+            return false;
+    return true;
+}
+
+bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range)
+{
+    constexpr double kUnitLength = 1e-3; // as the signal table says
+    double squared = 0.0;
+    const double slack = kRounding * std::max(std::abs(range.lowest), std::abs(range.highest));
+    for (int c = 0; c < picture.channels; ++c) {
+        const double value = static_cast<double>(picture.at(texel.x, texel.y, c));
+        squared += value * value;
+        if (value < range.lowest - slack || (!range.is_saturated && value > range.highest + slack))
+            return false;
+    }
+    return signal != Signal::normal || std::abs(std::sqrt(squared) - 1.0) <= kUnitLength;
+}
+
+bool is_same(const Picture& a, const Picture& b, Texel texel)
+{
+    return std::memcmp(&a.texels[a.index(texel.x, texel.y)], &b.texels[b.index(texel.x, texel.y)],
+                       static_cast<size_t>(a.channels) * sizeof(float)) == 0;
+}
+
+std::string range_text(Signal signal, const Contract::Span& range)
+{
+    if (signal == Signal::normal)
+        return "a vector of length 1";
+    return fmt::format("from {} to {}", range.lowest, range.is_saturated ? "whatever is finite" : fmt::format("{:.9g}", range.highest));
+}
+
+/// The checks of one stage's values, under one way of being set up.
+class ValueChecks {
+public:
+    ValueChecks(const Subject& subject, StageOptions options) : subject_(subject), options_(std::move(options)), random_(20171124) {}
+
+    void run(bool with_injections)
+    {
+        options_.hostile = hostile_builtins();
+        options_.is_guarded = false;
+        std::optional<Stage> stage = open_stage(subject_, options_);
+        if (!stage)
+            return;
+        for (const Scene* scene : scenes()) {
+            for (const Filling filling : {Filling::random, Filling::random, Filling::edges, Filling::edges, Filling::lowest, Filling::highest}) {
+                const Feed feed = fill(filling);
+                if (const auto outputs = run_stage(subject_, *stage, feed, scene, options_)) {
+                    judge_finite(*outputs, feed, scene, std::string(name(filling)));
+                    judge_range(*outputs, "range", std::string(name(filling)));
+                }
+            }
+        }
+        if (!with_injections)
+            return;
+        for (const InputPort& port : subject_.pass->inputs)
+            if (port.over != Over::scene)
+                inject(*stage, port);
+        check_guarded();
+    }
+
+private:
+    const std::vector<const Scene*>& scenes() const
+    {
+        static const Scene unlit = unlit_scene();
+        static const Scene lit = lit_scene();
+        static const Scene hard = hard_scene();
+        static const Scene meshes = hard_meshes();
+        static const std::vector<const Scene*> none = {nullptr};
+        static const std::vector<const Scene*> lamps = {&lit, &hard, &unlit};
+        static const std::vector<const Scene*> shapes = {&meshes};
+        static const std::vector<const Scene*> camera = {&lit};
+        const PassDeclaration& pass = *subject_.pass;
+        const bool has_scene = std::any_of(pass.inputs.begin(), pass.inputs.end(), [](const auto& p) { return p.over == Over::scene; });
+        // A composite's reads are its inner passes'; a scene does no harm where none is read.
+        return has_scene || pass.kind == PassKind::geometry ? shapes
+               : pass.reads.lights || pass.composite        ? lamps
+               : pass.reads.camera || pass.reads.frame      ? camera
+                                                            : none;
+    }
+
+    Signal signal(Signal declared) const { return signal_of(declared, options_); }
+    Contract::Span range_of(const OutputPort& port) const { return span_of(subject_.contract().range, port.name, signal(port.signal)); }
+
+    Feed fill(Filling filling)
+    {
+        Feed feed;
+        for (const InputPort& port : subject_.pass->inputs)
+            if (port.over != Over::scene)
+                feed[port.name] = picture_of(filling, signal(port.signal), span_of(subject_.contract().domain, port.name, signal(port.signal)),
+                                             extent_of(port, options_), random_);
+        return feed;
+    }
+
+    void report(std::string check, std::string fed, std::string place, std::string got, std::string expected, std::string hint)
+    {
+        subject_.findings.add({std::move(check), to_text(options_.settings), std::move(fed), std::move(place), std::move(got),
+                               std::move(expected), std::move(hint)});
+    }
+
+    void judge_finite(const Outputs& outputs, const Feed& feed, const Scene* scene, const std::string& fed)
+    {
+        subject_.findings.count_run("finite");
+        for (const auto& [output, picture] : outputs) {
+            const auto bad = find_texel(picture, [&](Texel texel) { return !is_finite(picture, texel); });
+            if (!bad)
+                continue;
+            const std::string cause = subject_.findings.is_full("finite") ? "" : cause_of(feed, scene);
+            report("finite", fed, place_text(output, *bad, picture.extent), texel_text(picture, *bad), "a finite value", cause);
+            return;
+        }
+    }
+
+    /// Which builtin alone makes it, if one does; else it is plain arithmetic.
+    std::string cause_of(const Feed& feed, const Scene* scene)
+    {
+        StageOptions alone = options_;
+        alone.hostile.clear();
+        if (is_bad_under(alone, feed, scene))
+            return "no driver helps here: look for x / 0, 0 / 0 and Inf - Inf, and decide with an ordered select (d > 0.0 ? x / d : 0.0)";
+        for (const std::string& builtin : hostile_builtins()) {
+            alone.hostile = {builtin};
+            if (is_bad_under(alone, feed, scene))
+                return fmt::format("GLSL leaves `{}` undefined where {}; other drivers give NaN there", builtin, undefined_when(builtin));
+        }
+        return "GLSL leaves it undefined, and other drivers give NaN: min, max and clamp are no guards, write x > 0.0 ? min(x, cap) : 0.0";
+    }
+
+    bool is_bad_under(const StageOptions& options, const Feed& feed, const Scene* scene)
+    {
+        auto stage = Stage::create(subject_.library, subject_.pass, options, subject_.loader);
+        const auto outputs = stage ? stage->run(feed, scene) : tl::unexpected(stage.error());
+        return outputs && std::any_of(outputs->begin(), outputs->end(), [](const auto& entry) {
+            return find_texel(entry.second, [&](Texel texel) { return !is_finite(entry.second, texel); }).has_value();
+        });
+    }
+
+    void judge_range(const Outputs& outputs, const std::string& check, const std::string& fed)
+    {
+        subject_.findings.count_run(check);
+        for (const OutputPort& port : subject_.pass->outputs) {
+            const Picture& picture = outputs.at(port.name);
+            const Contract::Span range = range_of(port);
+            if (port.signal == Signal::depth && subject_.pass->kind == PassKind::geometry)
+                continue; // the rasteriser's own
+            const bool is_empty_ok = subject_.pass->kind == PassKind::geometry; // a pixel without geometry is 0
+            const auto bad = find_texel(picture, [&](Texel texel) {
+                const bool is_zero = is_empty_ok && texel_text(picture, texel) == texel_text(Picture({1, 1}, picture.channels), {});
+                return !is_zero && (check == "replaced" || is_finite(picture, texel)) && !is_in_range(picture, texel, signal(port.signal), range);
+            });
+            if (!bad)
+                continue;
+            report(check, fed, place_text(port.name, *bad, picture.extent), texel_text(picture, *bad), range_text(signal(port.signal), range),
+                   check == "replaced" ? "decide with an ordered select: a comparison with NaN is false, min, max and clamp of NaN are undefined"
+                                       : "a store would cut it off unseen: scale the result, or state its range");
+            return;
+        }
+    }
+
+    /// How far a bad texel may reach, in texels of the input; nullopt after reporting that nobody says.
+    std::optional<double> reach_of(const InputPort& port)
+    {
+        if (port.over != Over::image)
+            return HUGE_VAL; // a place in a table or a direction has no neighbourhood in the picture
+        if (!subject_.contract().within.empty()) {
+            const Result<double> value = value_of(subject_, subject_.contract().within, options_.settings);
+            if (value)
+                return *value;
+            report("contained", "", subject_.contract().within, to_text(value.error().front()), "a number of texels",
+                   "\"contained\" takes a GLSL expression of the pass's parameters");
+            return std::nullopt;
+        }
+        const bool is_known = port.access.kind != AccessClass::warp && port.access.radius != Access::kUnknownRadius && !subject_.pass->composite;
+        if (is_known)
+            return port.access.radius + (port.filter == Filter::linear ? 1.0 : 0.0);
+        report("contained", "", fmt::format("`{}`", port.name), fmt::format("read by {}", to_text(port.access)), "a bound",
+               "say how far a bad texel may reach: \"contract\": { \"non_finite\": { \"contained\": TEXELS } }");
+        return std::nullopt;
+    }
+
+    void inject(Stage& stage, const InputPort& port)
+    {
+        const std::optional<double> reach = reach_of(port);
+        const Scene* scene = scenes().front();
+        const Feed clean = fill(Filling::random);
+        const auto before = run_stage(subject_, stage, clean, scene, options_);
+        if (!reach || !before)
+            return;
+        const Contract::Span domain = span_of(subject_.contract().domain, port.name, signal(port.signal));
+        const Extent extent = extent_of(port, options_);
+        for (const Injection& injection : injections()) {
+            // A corner, the middle, and one component alone in between.
+            const std::array<Texel, 2> texels = {{{extent.width / 2, extent.height / 2}, {0, extent.height - 1}}};
+            for (size_t i = 0; i < texels.size(); ++i) {
+                Feed feed = clean;
+                Picture& picture = feed.at(port.name);
+                for (int c = 0; c < (i == 1 ? 1 : picture.channels); ++c)
+                    picture.at(texels[i].x, texels[i].y, c) = injection.value;
+                const std::string fed = fmt::format("{} in `{}` at ({}, {})", injection.name, port.name, texels[i].x, texels[i].y);
+                const auto outputs = run_stage(subject_, stage, feed, scene, options_);
+                if (!outputs)
+                    return;
+                if (is_in_domain(injection.value, signal(port.signal), domain)) {
+                    judge_finite(*outputs, feed, scene, fed);
+                    judge_range(*outputs, "range", fed);
+                } else if (subject_.contract().non_finite == Contract::NonFinite::replaced) {
+                    judge_range(*outputs, "replaced", fed);
+                }
+                judge_contained(*before, *outputs, port, texels[i], *reach, fed);
+            }
+        }
+    }
+
+    void judge_contained(const Outputs& before, const Outputs& after, const InputPort& port, Texel bad, double reach, const std::string& fed)
+    {
+        subject_.findings.count_run("contained");
+        const Extent in = extent_of(port, options_);
+        for (const auto& [output, picture] : after) {
+            const Extent out = picture.extent;
+            const auto distance = [&](int a, int sides, int b, int other_sides) {
+                return std::abs((a + 0.5) * other_sides / sides - (b + 0.5));
+            };
+            const auto changed = find_texel(picture, [&](Texel texel) {
+                const double away = std::max(distance(texel.x, out.width, bad.x, in.width), distance(texel.y, out.height, bad.y, in.height));
+                return away > reach + 0.5 && !is_same(picture, before.at(output), texel);
+            });
+            if (!changed)
+                continue;
+            report("contained", fed, place_text(output, *changed, out), texel_text(picture, *changed),
+                   fmt::format("{} as without it, {} texels away at most", texel_text(before.at(output), *changed), reach),
+                   "the pass reads further than it says: correct \"contained\", or the offsets it reads at");
+            return;
+        }
+    }
+
+    /// With guards, a bad texel is as good as its replacement, and what comes out keeps to its signal.
+    void check_guarded()
+    {
+        options_.is_guarded = true;
+        std::optional<Stage> stage = open_stage(subject_, options_);
+        if (!stage)
+            return;
+        const Scene* scene = scenes().front();
+        for (const InputPort& port : subject_.pass->inputs) {
+            if (port.over == Over::scene)
+                continue;
+            const Feed clean = fill(Filling::random);
+            for (const Injection& injection : injections()) {
+                Feed feed = clean;
+                const Extent extent = extent_of(port, options_);
+                for (int c = 0; c < feed.at(port.name).channels; ++c)
+                    feed.at(port.name).at(extent.width / 2, extent.height / 2, c) = injection.value;
+                const auto outputs = run_stage(subject_, *stage, feed, scene, options_);
+                Feed scrubbed = feed;
+                apply_guard(scrubbed.at(port.name), signal(port.signal));
+                const auto expected = run_stage(subject_, *stage, scrubbed, scene, options_);
+                if (outputs && expected)
+                    judge_guarded(*outputs, *expected, port,
+                                  fmt::format("{} in `{}` at ({}, {}), guards on", injection.name, port.name, extent.width / 2, extent.height / 2),
+                                  std::isfinite(injection.value));
+            }
+        }
+        options_.is_guarded = false;
+    }
+
+    void judge_guarded(const Outputs& outputs, const Outputs& expected, const InputPort& port, const std::string& fed, bool is_finite_value)
+    {
+        subject_.findings.count_run("guarded");
+        // A filtered read is guarded behind the filter, which the bad texel has passed by then; and a vector that is made
+        // to length 1 twice may differ in a last bit from one made so once.
+        const bool is_exact = port.filter == Filter::nearest && port.filter_by.empty() && port.over == Over::image &&
+                              !subject_.pass->composite && !(signal(port.signal) == Signal::normal && is_finite_value);
+        for (const OutputPort& output : subject_.pass->outputs) {
+            const Picture& picture = outputs.at(output.name);
+            const Contract::Span domain = span_of({}, output.name, signal(output.signal));
+            const auto bad = find_texel(picture, [&](Texel texel) {
+                return !is_in_range(picture, texel, signal(output.signal), domain) || !is_finite(picture, texel);
+            });
+            if (bad) {
+                report("guarded", fed, place_text(output.name, *bad, picture.extent), texel_text(picture, *bad),
+                       range_text(signal(output.signal), domain), "a guard lets it through: this is a mistake of passgraph's own");
+                return;
+            }
+            const auto other = find_texel(picture, [&](Texel texel) { return is_exact && !is_same(picture, expected.at(output.name), texel); });
+            if (!other)
+                continue;
+            report("guarded", fed, place_text(output.name, *other, picture.extent), texel_text(picture, *other),
+                   fmt::format("{}, as with the guard's replacement", texel_text(expected.at(output.name), *other)), "");
+            return;
+        }
+    }
+
+    const Subject& subject_;
+    StageOptions options_;
+    std::mt19937 random_;
+};
+
+/// A geometry pass under each layout: what its places and derivations give back.
+void check_layouts(const Subject& subject)
+{
+    static const Scene meshes = hard_meshes();
+    for (const Layout& layout : subject.pass->layouts) {
+        StageOptions options;
+        options.is_guarded = true;
+        options.takes_codecs_of_layout = true;
+        PassArguments::Setting setting;
+        setting.name = "layout";
+        setting.item = layout.name;
+        options.settings = {setting};
+        std::optional<Stage> stage = open_stage(subject, options);
+        const auto outputs = stage ? run_stage(subject, *stage, {}, &meshes, options) : std::nullopt;
+        if (!outputs)
+            continue;
+        subject.findings.count_run("layouts");
+        for (const OutputPort& port : subject.pass->outputs) {
+            const Picture& picture = outputs->at(port.name);
+            const Contract::Span domain = span_of({}, port.name, port.signal);
+            const auto bad = find_texel(picture, [&](Texel texel) {
+                return !is_finite(picture, texel) || (port.signal != Signal::normal && !is_in_range(picture, texel, port.signal, domain));
+            });
+            if (bad)
+                subject.findings.add({"layouts", to_text(options.settings), "hard meshes", place_text(port.name, *bad, picture.extent),
+                                      texel_text(picture, *bad), range_text(port.signal, domain), ""});
+        }
+    }
+}
+
+} // namespace
+
+void check_values(const Subject& subject)
+{
+    const std::vector<Extent> extents = {{17, 13}, {1, 1}, {1, 9}, {9, 1}};
+    for (const Signal generic : generic_signals(*subject.pass)) {
+        for (const Settings& settings : selection_variants(*subject.pass))
+            for (const Extent extent : extents)
+                ValueChecks(subject, {.settings = settings, .generic = generic, .extent = extent}).run(true);
+        for (const Settings& settings : parameter_variants(*subject.pass))
+            for (const Extent extent : {extents[0], extents[1]})
+                ValueChecks(subject, {.settings = settings, .generic = generic, .extent = extent}).run(extent == extents[0]);
+    }
+    check_layouts(subject);
+}
+
+} // namespace passgraph::tool::contract
