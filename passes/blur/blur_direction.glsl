@@ -16,7 +16,10 @@
   },
   "identity": { "when": "sigma == 0", "is": "image" },
   "contract": {
-    "non_finite": { "contained": "taps == taps_25 ? 12 : taps == taps_13 ? 6 : taps == taps_5 ? 2 : 4" },
+    // A linear tap reads its neighbors at a weight of 0, too, and 0 * NaN is NaN.
+    "non_finite": {
+      "contained": "(taps == taps_25 ? 12 : taps == taps_13 ? 6 : taps == taps_5 ? 2 : 4) + (sampling == sampling_linear_pairs ? 1 : 0)"
+    },
     "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]
   },
   "source": "separable Gaussian; learnopengl5: de Vries, LearnOpenGL, Bloom; linear pairs: Rakos 2010, Efficient Gaussian blur with linear sampling"

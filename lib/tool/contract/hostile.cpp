@@ -18,14 +18,10 @@ struct Builtin {
     const char* scalars; ///< letters of those that may be scalar, all at once
     bool has_integers;
     const char* when;
+    bool passes_on_nan = true; ///< what it makes of NaN is NaN everywhere; false: what it makes of it is the driver's choice
 };
 
 constexpr std::array<Builtin, 14> kBuiltins = {{
-    {"min", "xy", "false", "y", true, "an argument is NaN"},
-    {"max", "xy", "false", "y", true, "an argument is NaN"},
-    {"clamp", "xyz", "y > z", "yz", true, "an argument is NaN, or the lower bound is above the upper"},
-    {"sign", "x", "false", "", true, "its argument is NaN"},
-    {"step", "xy", "false", "x", false, "an argument is NaN"},
     {"smoothstep", "xyz", "!(x < y)", "xy", false, "its first edge is not below its second, or an argument is NaN"},
     {"pow", "xy", "x < 0.0 || (x == 0.0 && y <= 0.0)", "", false, "its base is negative, or 0 with an exponent of 0 or less"},
     {"sqrt", "x", "x < 0.0", "", false, "its argument is negative"},
@@ -35,6 +31,11 @@ constexpr std::array<Builtin, 14> kBuiltins = {{
     {"acos", "x", "abs(x) > 1.0", "", false, "its argument is beyond 1, which rounding suffices for"},
     {"asin", "x", "abs(x) > 1.0", "", false, "its argument is beyond 1, which rounding suffices for"},
     {"mod", "xy", "y == 0.0", "y", false, "its divisor is 0"},
+    {"min", "xy", "false", "y", true, "an argument is NaN", false},
+    {"max", "xy", "false", "y", true, "an argument is NaN", false},
+    {"clamp", "xyz", "y > z", "yz", true, "an argument is NaN, or the lower bound is above the upper", false},
+    {"sign", "x", "false", "", true, "its argument is NaN", false},
+    {"step", "xy", "false", "x", false, "an argument is NaN", false},
 }};
 
 constexpr const char* kNormalizeWhen = "its vector is 0, not finite, or so short or long that its squares leave binary32";
@@ -44,13 +45,18 @@ bool passgraph_is_nan(float x) { return (floatBitsToUint(x) & 0x7fffffffu) > 0x7
 float passgraph_nan() { return uintBitsToFloat(0x7fc00000u); }
 )";
 
-constexpr const char* kNormalize = R"(
+constexpr const char* kHasDirection = R"(
 bool passgraph_has_direction(float squared) { return squared >= 1.17549435e-38 && squared <= 3.40282347e+38; }
-float passgraph_hostile_normalize(float v) { return passgraph_has_direction(v * v) ? normalize(v) : passgraph_nan(); }
-vec2 passgraph_hostile_normalize(vec2 v) { return passgraph_has_direction(dot(v, v)) ? normalize(v) : vec2(passgraph_nan()); }
-vec3 passgraph_hostile_normalize(vec3 v) { return passgraph_has_direction(dot(v, v)) ? normalize(v) : vec3(passgraph_nan()); }
-vec4 passgraph_hostile_normalize(vec4 v) { return passgraph_has_direction(dot(v, v)) ? normalize(v) : vec4(passgraph_nan()); }
 )";
+
+std::string normalize_versions(bool is_forgiving)
+{
+    std::string text = kHasDirection;
+    for (const std::string_view type : {"float", "vec2", "vec3", "vec4"})
+        text += fmt::format("{0} passgraph_hostile_normalize({0} v) {{ return passgraph_has_direction(dot(v, v)) ? normalize(v) : {0}({1}); }}\n",
+                            type, is_forgiving ? "0.0" : "passgraph_nan()");
+    return text;
+}
 
 bool has(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -64,16 +70,18 @@ std::string parameters(const Builtin& builtin, const TypeOf& type_of)
     return text;
 }
 
-std::string scalar_version(const Builtin& builtin)
+std::string scalar_version(const Builtin& builtin, bool is_forgiving)
 {
-    std::string bad = builtin.is_bad;
+    std::string is_nan;
     std::string call;
     for (const char letter : std::string_view(builtin.arguments)) {
-        bad += fmt::format(" || passgraph_is_nan({})", letter);
+        is_nan += fmt::format("{}passgraph_is_nan({})", is_nan.empty() ? "" : " || ", letter);
         call += fmt::format("{}{}", call.empty() ? "" : ", ", letter);
     }
-    return fmt::format("float passgraph_hostile_{0}({1}) {{ return {2} ? passgraph_nan() : {0}({3}); }}\n", builtin.name,
-                       parameters(builtin, [](char) { return "float"; }), bad, call);
+    return fmt::format("float passgraph_hostile_{0}({1})\n{{\n    if ({2})\n        return {3};\n    return {4} ? {5} : {0}({6});\n}}\n",
+                       builtin.name, parameters(builtin, [](char) { return "float"; }), is_nan,
+                       is_forgiving && !builtin.passes_on_nan ? "0.0" : "passgraph_nan()", builtin.is_bad,
+                       is_forgiving ? "0.0" : "passgraph_nan()", call);
 }
 
 std::string vector_version(const Builtin& builtin, int width, bool with_scalars)
@@ -119,9 +127,9 @@ std::string integer_versions(const Builtin& builtin)
     return text;
 }
 
-std::string versions_of(const Builtin& builtin)
+std::string versions_of(const Builtin& builtin, bool is_forgiving)
 {
-    std::string text = scalar_version(builtin);
+    std::string text = scalar_version(builtin, is_forgiving);
     for (int width = 2; width <= 4; ++width) {
         text += vector_version(builtin, width, false);
         if (!std::string_view(builtin.scalars).empty())
@@ -168,13 +176,13 @@ std::string_view undefined_when(std::string_view builtin)
     return row == kBuiltins.end() ? kNormalizeWhen : row->when;
 }
 
-std::string with_hostile(const std::string& shader, const std::vector<std::string>& builtins)
+std::string with_hostile(const std::string& shader, const std::vector<std::string>& builtins, std::string_view forgiving)
 {
     const size_t body = shader.find('\n') + 1; // behind #version
     std::string text = shader.substr(0, body) + kShared;
     for (const std::string& name : builtins) {
         const auto row = std::find_if(kBuiltins.begin(), kBuiltins.end(), [&](const Builtin& b) { return b.name == name; });
-        text += row == kBuiltins.end() ? std::string(kNormalize) : versions_of(*row);
+        text += row == kBuiltins.end() ? normalize_versions(name == forgiving) : versions_of(*row, name == forgiving);
     }
     for (const std::string& name : builtins)
         text += fmt::format("#define {0} passgraph_hostile_{0}\n", name);

@@ -7,7 +7,7 @@
 
 namespace passgraph::tool::contract {
 
-/// The builtins that have a hostile version: where GLSL leaves a result undefined, that version returns NaN.
+/// The builtins that have a hostile version, those that make NaN before those that hide it: where GLSL leaves a result undefined, that version returns NaN.
 ///
 /// Drivers differ there, and a forgiving one hides mistakes: llvmpipe's max(NaN, 0) is 0, so that a pass which relies on it
 /// looks right until it meets a GPU.
@@ -16,6 +16,9 @@ const std::vector<std::string>& hostile_builtins();
 std::string_view undefined_when(std::string_view builtin);
 
 /// A complete GLSL 3.30 shader whose calls of these builtins reach their hostile versions.
-std::string with_hostile(const std::string& shader, const std::vector<std::string>& builtins);
+///
+/// `forgiving` is one of them, or none: it returns 0 where its result is undefined. A shader that only then gives finite
+/// values has its fault there.
+std::string with_hostile(const std::string& shader, const std::vector<std::string>& builtins, std::string_view forgiving = "");
 
 } // namespace passgraph::tool::contract

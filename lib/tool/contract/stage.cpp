@@ -101,9 +101,9 @@ Result<Plan> plan_of(const PassLibrary& library, const PassPtr& pass, const Stag
         store_in_binary32(*plan);
     if (!options.hostile.empty())
         for (Plan::Step& step : plan->steps) {
-            step.fragment = with_hostile(step.fragment, options.hostile);
+            step.fragment = with_hostile(step.fragment, options.hostile, options.forgiving);
             if (step.kind == Plan::Step::Kind::geometry)
-                step.vertex = with_hostile(step.vertex, options.hostile);
+                step.vertex = with_hostile(step.vertex, options.hostile, options.forgiving);
         }
     return plan;
 }

@@ -21,6 +21,7 @@ struct StageOptions {
     Extent extent{17, 13};
     bool is_guarded = false;                 ///< imports and stores bring values into their domains, as in any graph
     std::vector<std::string> hostile{};      ///< builtins that do their worst
+    std::string forgiving{};                 ///< the one of them that does not
     bool takes_codecs_of_layout = false;     ///< geometry: stored as its layout says, not in binary32
 };
 

@@ -61,16 +61,26 @@ bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contr
     for (int c = 0; c < picture.channels; ++c) {
         const double value = static_cast<double>(picture.at(texel.x, texel.y, c));
         squared += value * value;
-        if (value < range.lowest - slack || (!range.is_saturated && value > range.highest + slack))
+        const bool is_inside = value >= range.lowest - slack && (range.is_saturated || value <= range.highest + slack); // not for NaN
+        if (!is_inside)
             return false;
     }
-    return signal != Signal::normal || std::abs(std::sqrt(squared) - 1.0) <= kUnitLength;
+    return std::isfinite(squared) && (signal != Signal::normal || std::abs(std::sqrt(squared) - 1.0) <= kUnitLength);
 }
 
 bool is_same(const Picture& a, const Picture& b, Texel texel)
 {
     return std::memcmp(&a.texels[a.index(texel.x, texel.y)], &b.texels[b.index(texel.x, texel.y)],
                        static_cast<size_t>(a.channels) * sizeof(float)) == 0;
+}
+
+void replace_by_guard(Picture& picture, Texel texel, Signal signal)
+{
+    Picture one({1, 1}, picture.channels);
+    const auto first = picture.texels.begin() + static_cast<std::ptrdiff_t>(picture.index(texel.x, texel.y));
+    std::copy_n(first, picture.channels, one.texels.begin());
+    apply_guard(one, signal);
+    std::copy(one.texels.begin(), one.texels.end(), first);
 }
 
 std::string range_text(Signal signal, const Contract::Span& range)
@@ -161,19 +171,18 @@ private:
         }
     }
 
-    /// Which builtin alone makes it, if one does; else it is plain arithmetic.
+    /// The builtin whose undefined results it comes from, or plain arithmetic.
     std::string cause_of(const Feed& feed, const Scene* scene)
     {
-        StageOptions alone = options_;
-        alone.hostile.clear();
-        if (is_bad_under(alone, feed, scene))
-            return "no driver helps here: look for x / 0, 0 / 0 and Inf - Inf, and decide with an ordered select (d > 0.0 ? x / d : 0.0)";
+        StageOptions lenient = options_;
         for (const std::string& builtin : hostile_builtins()) {
-            alone.hostile = {builtin};
-            if (is_bad_under(alone, feed, scene))
-                return fmt::format("GLSL leaves `{}` undefined where {}; other drivers give NaN there", builtin, undefined_when(builtin));
+            lenient.forgiving = builtin;
+            if (!is_bad_under(lenient, feed, scene))
+                return fmt::format("GLSL leaves `{}` undefined where {}: some drivers give NaN there, others hide it. Decide before, with an "
+                                   "ordered select (x > 0.0 ? f(x) : 0.0)",
+                                   builtin, undefined_when(builtin));
         }
-        return "GLSL leaves it undefined, and other drivers give NaN: min, max and clamp are no guards, write x > 0.0 ? min(x, cap) : 0.0";
+        return "look for x / 0, 0 / 0 and Inf - Inf, and decide with an ordered select (d > 0.0 ? x / d : 0.0)";
     }
 
     bool is_bad_under(const StageOptions& options, const Feed& feed, const Scene* scene)
@@ -302,7 +311,7 @@ private:
                     feed.at(port.name).at(extent.width / 2, extent.height / 2, c) = injection.value;
                 const auto outputs = run_stage(subject_, *stage, feed, scene, options_);
                 Feed scrubbed = feed;
-                apply_guard(scrubbed.at(port.name), signal(port.signal));
+                replace_by_guard(scrubbed.at(port.name), {extent.width / 2, extent.height / 2}, signal(port.signal));
                 const auto expected = run_stage(subject_, *stage, scrubbed, scene, options_);
                 if (outputs && expected)
                     judge_guarded(*outputs, *expected, port,
