@@ -189,4 +189,13 @@ std::string with_hostile(const std::string& shader, const std::vector<std::strin
     return text + with_variables_for_constants(shader.substr(body), builtins);
 }
 
+std::string with_bound_removed(const std::string& shader, std::string_view builtin, int kept_argument)
+{
+    const size_t body = shader.find('\n') + 1;
+    const bool has_two = builtin != "clamp";
+    return shader.substr(0, body) +
+           fmt::format("#define {}({}) ({})\n", builtin, has_two ? "a0, a1" : "a0, a1, a2", fmt::format("a{}", kept_argument)) +
+           shader.substr(body);
+}
+
 } // namespace passgraph::tool::contract

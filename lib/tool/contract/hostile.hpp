@@ -21,4 +21,7 @@ std::string_view undefined_when(std::string_view builtin);
 /// values has its fault there.
 std::string with_hostile(const std::string& shader, const std::vector<std::string>& builtins, std::string_view forgiving = "");
 
+/// The shader with `min`, `max` or `clamp` replaced by one of its arguments, counted from 0. It may not compile.
+std::string with_bound_removed(const std::string& shader, std::string_view builtin, int kept_argument);
+
 } // namespace passgraph::tool::contract

@@ -4,14 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "tool/contract/judge.hpp"
 #include "tool/contract/scenes.hpp"
 #include "tool/contract/suite.hpp"
 #include "tool/contract/values.hpp"
 
 namespace passgraph::tool::contract {
 namespace {
-
-using Outputs = std::map<std::string, Picture>;
 
 enum class Axis { horizontal, vertical };
 

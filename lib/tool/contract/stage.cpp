@@ -105,6 +105,9 @@ Result<Plan> plan_of(const PassLibrary& library, const PassPtr& pass, const Stag
             if (step.kind == Plan::Step::Kind::geometry)
                 step.vertex = with_hostile(step.vertex, options.hostile, options.forgiving);
         }
+    if (!options.removed_bound.empty())
+        for (Plan::Step& step : plan->steps)
+            step.fragment = with_bound_removed(step.fragment, options.removed_bound, options.kept_argument);
     return plan;
 }
 

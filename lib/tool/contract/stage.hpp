@@ -22,6 +22,8 @@ struct StageOptions {
     bool is_guarded = false;                 ///< imports and stores bring values into their domains, as in any graph
     std::vector<std::string> hostile{};      ///< builtins that do their worst
     std::string forgiving{};                 ///< the one of them that does not
+    std::string removed_bound{};             ///< min, max or clamp, replaced by its argument number `kept_argument`
+    int kept_argument = 0;
     bool takes_codecs_of_layout = false;     ///< geometry: stored as its layout says, not in binary32
 };
 

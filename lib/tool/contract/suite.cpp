@@ -103,6 +103,13 @@ std::vector<Settings> parameter_variants(const PassDeclaration& pass)
         for (double item = low + 1.0; param.type == ParamType::enum_ && item < high; item += 1.0)
             variants.push_back({setting_of(param, item)});
     }
+    const auto is_number = [](const Param& param) { return param.type == ParamType::float_ || param.type == ParamType::int_; };
+    for (const Param& param : pass.params)
+        for (const Param& other : pass.params) {
+            const double value = other.default_value.v[0];
+            if (param.name != other.name && param.type == other.type && is_number(param) && value >= param.lowest && value <= param.highest)
+                variants.push_back({setting_of(param, value)});
+        }
     if (pass.params.size() > 1) {
         variants.push_back(lowest);
         variants.push_back(highest);
@@ -168,6 +175,7 @@ PassReport test_pass(const PassLibrary& library, const PassPtr& pass, GlLoader l
     Findings findings(report);
     const Subject subject{library, pass, loader, findings};
     check_values(subject);
+    check_guards(subject);
     check_settings(subject);
     check_laws(subject);
     return report;

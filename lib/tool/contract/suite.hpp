@@ -31,7 +31,7 @@ struct Subject {
 ///   identity      where the header's identity holds, the pass is its input
 ///   law_NAME      a law of the contract
 ///   param_range   parameters are taken up to the ends of their ranges, and refused beyond
-///   hazard_NAME   what GLSL leaves undefined, found in the text (shader/hazards)
+///   bound_as_guard  no min, max or clamp stands there for NaN alone, which it does not stop (where no contract is stated)
 ///
 /// Each selection's items, each parameter's ends and the sizes 1x1, 1x9, 9x1 and 17x13 are among the runs.
 /// Cost     about a second for a pass of one input on Mesa's softpipe.
@@ -39,12 +39,14 @@ PassReport test_pass(const PassLibrary& library, const PassPtr& pass, GlLoader l
 
 // The suite's parts, a file each.
 void check_values(const Subject& subject);
+void check_guards(const Subject& subject);
 void check_laws(const Subject& subject);
 void check_settings(const Subject& subject);
 
 /// One settings per item of each selection around the defaults, the defaults first.
 std::vector<Settings> selection_variants(const PassDeclaration& pass);
-/// The ends of each parameter's range around the defaults, then all at their lowest and all at their highest.
+/// The ends of each parameter's range around the defaults, each parameter at another one's default, as smoothstep's edges may
+/// meet, then all at their lowest and all at their highest.
 std::vector<Settings> parameter_variants(const PassDeclaration& pass);
 
 /// A stage, or nothing and a finding of check `compiles`.

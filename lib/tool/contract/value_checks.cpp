@@ -1,78 +1,20 @@
 // Finite, in range, replaced or contained, guarded: what becomes of values inside and outside the domain.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
 #include <passgraph/core/codec.hpp>
 
+#include "tool/contract/feeds.hpp"
 #include "tool/contract/hostile.hpp"
+#include "tool/contract/judge.hpp"
 #include "tool/contract/scenes.hpp"
 #include "tool/contract/suite.hpp"
 #include "tool/contract/values.hpp"
 
 namespace passgraph::tool::contract {
 namespace {
-
-using Outputs = std::map<std::string, Picture>;
-
-struct Texel {
-    int x = 0;
-    int y = 0;
-};
-
-std::string place_text(const std::string& output, Texel texel, Extent extent)
-{
-    return fmt::format("`{}` at ({}, {}) of {}x{}", output, texel.x, texel.y, extent.width, extent.height);
-}
-
-std::string texel_text(const Picture& picture, Texel texel)
-{
-    std::vector<std::string> values;
-    for (int c = 0; c < picture.channels; ++c)
-        values.push_back(fmt::format("{:.9g}", picture.at(texel.x, texel.y, c)));
-    return fmt::format("{}", fmt::join(values, ", "));
-}
-
-template <class IsBad>
-std::optional<Texel> find_texel(const Picture& picture, const IsBad& is_bad)
-{
-    for (int y = 0; y < picture.extent.height; ++y)
-        for (int x = 0; x < picture.extent.width; ++x)
-            if (is_bad(Texel{x, y}))
-                return Texel{x, y};
-    return std::nullopt;
-}
-
-bool is_finite(const Picture& picture, Texel texel)
-{
-    for (int c = 0; c < picture.channels; ++c)
-        if (!std::isfinite(picture.at(texel.x, texel.y, c)))
-            return false;
-    return true;
-}
-
-bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range)
-{
-    constexpr double kUnitLength = 1e-3; // as the signal table says
-    double squared = 0.0;
-    const double slack = kRounding * std::max(std::abs(range.lowest), std::abs(range.highest));
-    for (int c = 0; c < picture.channels; ++c) {
-        const double value = static_cast<double>(picture.at(texel.x, texel.y, c));
-        squared += value * value;
-        const bool is_inside = value >= range.lowest - slack && (range.is_saturated || value <= range.highest + slack); // not for NaN
-        if (!is_inside)
-            return false;
-    }
-    return std::isfinite(squared) && (signal != Signal::normal || std::abs(std::sqrt(squared) - 1.0) <= kUnitLength);
-}
-
-bool is_same(const Picture& a, const Picture& b, Texel texel)
-{
-    return std::memcmp(&a.texels[a.index(texel.x, texel.y)], &b.texels[b.index(texel.x, texel.y)],
-                       static_cast<size_t>(a.channels) * sizeof(float)) == 0;
-}
 
 void replace_by_guard(Picture& picture, Texel texel, Signal signal)
 {
@@ -81,13 +23,6 @@ void replace_by_guard(Picture& picture, Texel texel, Signal signal)
     std::copy_n(first, picture.channels, one.texels.begin());
     apply_guard(one, signal);
     std::copy(one.texels.begin(), one.texels.end(), first);
-}
-
-std::string range_text(Signal signal, const Contract::Span& range)
-{
-    if (signal == Signal::normal)
-        return "a vector of length 1";
-    return fmt::format("from {} to {}", range.lowest, range.is_saturated ? "whatever is finite" : fmt::format("{:.9g}", range.highest));
 }
 
 /// The checks of one stage's values, under one way of being set up.
@@ -103,7 +38,7 @@ public:
         if (!stage)
             return;
         for (const Scene* scene : scenes()) {
-            for (const Filling filling : {Filling::random, Filling::random, Filling::edges, Filling::edges, Filling::lowest, Filling::highest}) {
+            for (const Filling filling : {Filling::random, Filling::random, Filling::edges, Filling::edges, Filling::lowest, Filling::highest, Filling::alike}) {
                 const Feed feed = fill(filling);
                 if (const auto outputs = run_stage(subject_, *stage, feed, scene, options_)) {
                     judge_finite(*outputs, feed, scene, std::string(name(filling)));
@@ -120,37 +55,12 @@ public:
     }
 
 private:
-    const std::vector<const Scene*>& scenes() const
-    {
-        static const Scene unlit = unlit_scene();
-        static const Scene lit = lit_scene();
-        static const Scene hard = hard_scene();
-        static const Scene meshes = hard_meshes();
-        static const std::vector<const Scene*> none = {nullptr};
-        static const std::vector<const Scene*> lamps = {&lit, &hard, &unlit};
-        static const std::vector<const Scene*> shapes = {&meshes};
-        static const std::vector<const Scene*> camera = {&lit};
-        const PassDeclaration& pass = *subject_.pass;
-        const bool has_scene = std::any_of(pass.inputs.begin(), pass.inputs.end(), [](const auto& p) { return p.over == Over::scene; });
-        // A composite's reads are its inner passes'; a scene does no harm where none is read.
-        return has_scene || pass.kind == PassKind::geometry ? shapes
-               : pass.reads.lights || pass.composite        ? lamps
-               : pass.reads.camera || pass.reads.frame      ? camera
-                                                            : none;
-    }
+    const std::vector<const Scene*>& scenes() const { return scenes_for(*subject_.pass); }
 
     Signal signal(Signal declared) const { return signal_of(declared, options_); }
     Contract::Span range_of(const OutputPort& port) const { return span_of(subject_.contract().range, port.name, signal(port.signal)); }
 
-    Feed fill(Filling filling)
-    {
-        Feed feed;
-        for (const InputPort& port : subject_.pass->inputs)
-            if (port.over != Over::scene)
-                feed[port.name] = picture_of(filling, signal(port.signal), span_of(subject_.contract().domain, port.name, signal(port.signal)),
-                                             extent_of(port, options_), random_);
-        return feed;
-    }
+    Feed fill(Filling filling) { return fill_inputs(subject_, options_, filling, random_); }
 
     void report(std::string check, std::string fed, std::string place, std::string got, std::string expected, std::string hint)
     {
@@ -189,9 +99,7 @@ private:
     {
         auto stage = Stage::create(subject_.library, subject_.pass, options, subject_.loader);
         const auto outputs = stage ? stage->run(feed, scene) : tl::unexpected(stage.error());
-        return outputs && std::any_of(outputs->begin(), outputs->end(), [](const auto& entry) {
-            return find_texel(entry.second, [&](Texel texel) { return !is_finite(entry.second, texel); }).has_value();
-        });
+        return outputs && !is_all_finite(*outputs);
     }
 
     void judge_range(const Outputs& outputs, const std::string& check, const std::string& fed)
@@ -204,8 +112,8 @@ private:
                 continue; // the rasteriser's own
             const bool is_empty_ok = subject_.pass->kind == PassKind::geometry; // a pixel without geometry is 0
             const auto bad = find_texel(picture, [&](Texel texel) {
-                const bool is_zero = is_empty_ok && texel_text(picture, texel) == texel_text(Picture({1, 1}, picture.channels), {});
-                return !is_zero && (check == "replaced" || is_finite(picture, texel)) && !is_in_range(picture, texel, signal(port.signal), range);
+                const bool is_empty = is_empty_ok && is_zero(picture, texel);
+                return !is_empty && (check == "replaced" || is_finite(picture, texel)) && !is_in_range(picture, texel, signal(port.signal), range);
             });
             if (!bad)
                 continue;
@@ -229,6 +137,8 @@ private:
                    "\"contained\" takes a GLSL expression of the pass's parameters");
             return std::nullopt;
         }
+        if (!subject_.contract().is_stated && port.access.radius == Access::kUnknownRadius)
+            return HUGE_VAL; // nobody has promised anything
         const bool is_known = port.access.kind != AccessClass::warp && port.access.radius != Access::kUnknownRadius && !subject_.pass->composite;
         if (is_known)
             return port.access.radius + (port.filter == Filter::linear ? 1.0 : 0.0);

@@ -33,7 +33,7 @@ double edge_between(double lowest, double highest, std::mt19937& random)
 
 std::array<double, 3> direction(Filling filling, std::mt19937& random)
 {
-    if (filling != Filling::random) {
+    if (filling != Filling::random && filling != Filling::alike) {
         std::array<double, 3> axis = {0.0, 0.0, 0.0};
         const auto which = filling == Filling::edges ? random() % 6 : filling == Filling::lowest ? 5u : 4u;
         axis[which / 2] = which % 2 == 0 ? 1.0 : -1.0;
@@ -48,7 +48,7 @@ std::array<double, 3> direction(Filling filling, std::mt19937& random)
 /// Places in view space that a camera may see: metres, in front of it; and its own, of a pixel without geometry.
 double place(size_t component, Filling filling, std::mt19937& random)
 {
-    const double reach = filling == Filling::random ? std::pow(10.0, 6.0 * unit(random) - 3.0) : 1000.0;
+    const double reach = filling == Filling::random || filling == Filling::alike ? std::pow(10.0, 6.0 * unit(random) - 3.0) : 1000.0;
     if (filling == Filling::lowest || (filling == Filling::edges && random() % 4 == 0))
         return 0.0;
     return component == 2 ? -reach : reach * (2.0 * unit(random) - 1.0);
@@ -76,8 +76,9 @@ Contract::Span span_of(const std::vector<Contract::Span>& stated, const std::str
 
 std::string_view name(Filling filling)
 {
-    static constexpr std::array<std::string_view, 4> kNames = {"random values", "values at the domain's edges",
-                                                               "the domain's lowest value", "the domain's highest value"};
+    static constexpr std::array<std::string_view, 5> kNames = {"random values", "values at the domain's edges",
+                                                               "the domain's lowest value", "the domain's highest value",
+                                                               "the same random values in all inputs of a signal"};
     return kNames[static_cast<size_t>(filling)];
 }
 
@@ -89,10 +90,10 @@ Picture picture_of(Filling filling, Signal signal, const Contract::Span& span, E
     for (size_t texel = 0; texel < picture.texels.size(); texel += width) {
         const std::array<double, 3> facing = direction(filling, random);
         for (size_t c = 0; c < width; ++c) {
-            double value = filling == Filling::random   ? value_between(span.lowest, span.highest, random)
-                           : filling == Filling::edges  ? edge_between(span.lowest, span.highest, random)
-                           : filling == Filling::lowest ? span.lowest
-                                                        : span.highest;
+            double value = filling == Filling::edges     ? edge_between(span.lowest, span.highest, random)
+                           : filling == Filling::lowest  ? span.lowest
+                           : filling == Filling::highest ? span.highest
+                                                         : value_between(span.lowest, span.highest, random);
             if (signal == Signal::normal)
                 value = facing[c];
             if (signal == Signal::position)

@@ -25,6 +25,7 @@ enum class Filling {
     edges,  ///< each component at one end of the domain, at 0 or at 1, chosen anew for each texel
     lowest,
     highest,
+    alike, ///< random, but the same for inputs of one signal, whose differences then are 0
 };
 std::string_view name(Filling filling);
 
