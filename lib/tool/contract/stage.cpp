@@ -92,6 +92,7 @@ Result<Plan> plan_of(const PassLibrary& library, const PassPtr& pass, const Stag
     compiling.extent = options.extent;
     for (const InputPort& port : pass->inputs)
         compiling.picture_extents[port.name] = extent_of(port, options);
+    compiling.specialise = options.takes_codecs_of_layout; // a pass that is left out shows nothing
     compiling.guards = options.is_guarded;
     compiling.import_guards = options.is_guarded;
     Result<Plan> plan = compile(graph_of(library, *pass, options), compiling);
