@@ -94,6 +94,7 @@ Object contract_json(const Contract& contract)
     Object json = {{"domain", spans_json(contract.domain)}, {"range", spans_json(contract.range)}};
     json["non_finite"] = contract.non_finite == Contract::NonFinite::replaced ? "replaced" : "contained";
     json["within"] = contract.within;
+    json["anywhere"] = contract.anywhere;
     json["laws"] = laws;
     return json;
 }

@@ -26,6 +26,11 @@
     "fresnel_power": { "items": ["pow", "multiplications"], "default": "multiplications" },
     "beckmann_masking": { "items": ["rational", "erf"], "default": "erf" }
   },
+  "contract": {
+    "range": { "radiance": [0, "saturated"] },
+    "non_finite": { "contained": 0, "anywhere": ["share"] },
+    "laws": ["black", "monotone", "mirror"]
+  },
   "source": "Walter et al. 2007 (GGX), Heitz 2014 (Smith), Schlick 1994 (Fresnel), Karis 2013 (environment)"
 }*/
 #include "brdf.glsl"

@@ -10,6 +10,7 @@
     "fresnel_power": { "items": ["pow", "multiplications"], "default": "multiplications" },
     "beckmann_masking": { "items": ["rational", "erf"], "default": "erf" }
   },
+  "contract": { "non_finite": "contained" },
   "source": "Karis 2013, Real Shading in Unreal Engine 4"
 }*/
 #include "brdf.glsl"

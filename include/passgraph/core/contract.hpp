@@ -46,6 +46,7 @@ struct Contract {
     std::vector<Span> range;
     NonFinite non_finite = NonFinite::contained;
     std::string within; ///< texels of the input, a GLSL expression of the parameters; "": as far as the pass reads
+    std::vector<std::string> anywhere; ///< inputs that are looked up at computed places: a bad texel of theirs may reach any
     std::vector<Law> laws;
     Location where{};
 };

@@ -86,12 +86,18 @@ private:
                 read_span(member, port->signal, into, is_range);
                 continue;
             }
-            std::vector<std::string> names;
-            for (const auto& other : ports)
-                names.push_back(other.name);
-            errors_.push_back({fmt::format("unknown_{}", what), fmt::format("there is no {} `{}`", what, member.key),
-                               suggest(member.key, names, fmt::format("{}s", what)), member.where});
+            report_unknown(member.key, ports, what, member.where);
         }
+    }
+
+    template <class Ports>
+    void report_unknown(const std::string& name, const Ports& ports, std::string_view what, const Location& where)
+    {
+        std::vector<std::string> names;
+        for (const auto& port : ports)
+            names.push_back(port.name);
+        errors_.push_back({fmt::format("unknown_{}", what), fmt::format("there is no {} `{}`", what, name),
+                           suggest(name, names, fmt::format("{}s", what)), where});
     }
 
     void read_span(const Json::Member& member, Signal signal, std::vector<Contract::Span>& into, bool is_range)
@@ -146,6 +152,12 @@ private:
             else
                 report_wrong_type(*within, "\"contained\"", "a number of texels, or an expression of parameters", errors_);
         }
+        if (const Json* anywhere = fields.find("anywhere", Json::Kind::array))
+            for (const Json& input : anywhere->array) {
+                if (pass_.find_input(input.string) < 0)
+                    report_unknown(input.string, pass_.inputs, "input", input.where);
+                contract_.anywhere.push_back(input.string);
+            }
         fields.finish();
     }
 

@@ -23,6 +23,15 @@ Light lamp(glm::vec3 color, glm::vec3 position, float radius)
     return light;
 }
 
+Light spot(Light lamp, glm::vec3 direction, float inner, float outer)
+{
+    lamp.kind = Light::Kind::spot;
+    lamp.direction = direction;
+    lamp.inner_angle = inner;
+    lamp.outer_angle = outer;
+    return lamp;
+}
+
 Scene with_material(Scene scene)
 {
     scene.materials.push_back({});
@@ -64,7 +73,8 @@ Scene lit_scene()
 {
     Scene scene = with_material({});
     scene.lights = {sun({1.0f, 0.9f, 0.8f}, {0.0f, -1.0f, 0.0f}), lamp({2.0f, 2.0f, 2.0f}, {0.5f, 1.0f, -2.0f}, 5.0f),
-                    lamp({0.1f, 0.0f, 50.0f}, {-3.0f, 0.0f, -8.0f}, 100.0f)};
+                    lamp({0.1f, 0.0f, 50.0f}, {-3.0f, 0.0f, -8.0f}, 100.0f),
+                    spot(lamp({5.0f, 5.0f, 1.0f}, {0.0f, 3.0f, -4.0f}, 20.0f), {0.0f, -1.0f, 0.0f}, 0.2f, 0.9f)};
     return scene;
 }
 
@@ -75,7 +85,12 @@ Scene hard_scene()
                     lamp({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, -1000.0f}, 0.0f),
                     lamp({65504.0f, 65504.0f, 65504.0f}, {0.0f, 0.0f, -1000.0f}, 1e6f),
                     sun({65504.0f, 65504.0f, 65504.0f}, {0.0f, 0.0f, -1.0f}), sun({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 1.0f}),
-                    lamp({1.0f, 1.0f, 1.0f}, {1e6f, 1e6f, -1e6f}, 1e7f)};
+                    lamp({1.0f, 1.0f, 1.0f}, {1e6f, 1e6f, -1e6f}, 1e7f),
+                    // Cones without an axis, of equal angles, of none at all, and open all around.
+                    spot(lamp({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, -1.0f}, 1e4f), {0.0f, 0.0f, 0.0f}, 0.3f, 0.6f),
+                    spot(lamp({1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 0.0f}, 1e4f), {0.0f, 0.0f, -1.0f}, 0.5f, 0.5f),
+                    spot(lamp({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, 1e4f), {0.0f, 0.0f, -1.0f}, 0.0f, 0.0f),
+                    spot(lamp({1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, 1e4f), {0.0f, -1.0f, 0.0f}, 3.1415927f, 3.1415927f)};
     return scene;
 }
 

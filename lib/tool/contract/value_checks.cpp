@@ -127,7 +127,8 @@ private:
     /// How far a bad texel may reach, in texels of the input; nullopt after reporting that nobody says.
     std::optional<double> reach_of(const InputPort& port)
     {
-        if (port.over != Over::image)
+        const std::vector<std::string>& anywhere = subject_.contract().anywhere;
+        if (port.over != Over::image || std::find(anywhere.begin(), anywhere.end(), port.name) != anywhere.end())
             return HUGE_VAL; // a place in a table or a direction has no neighbourhood in the picture
         if (!subject_.contract().within.empty()) {
             const Result<double> value = value_of(subject_, subject_.contract().within, options_.settings);
