@@ -93,7 +93,8 @@ void* counting_loader(const char* name)
 
 TEST_CASE("defect 10: after the first frame nothing is created, looked up by name or uploaded again", "[defects]")
 {
-    Scene scene = night_lamp();
+    const Scene& scene = night_lamp();
+    Camera camera = scene.camera;
     std::ptrdiff_t mesh_bytes = 0;
     for (const Mesh& mesh : scene.meshes)
         mesh_bytes += static_cast<std::ptrdiff_t>(mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * 4);
@@ -112,8 +113,10 @@ TEST_CASE("defect 10: after the first frame nothing is created, looked up by nam
     CHECK(asked().calls["glGetUniformLocation"] > 0);
     for (int frame = 1; frame < 4; ++frame) {
         asked() = {};
-        scene.camera.position.x += 0.5; // even when everything has to be drawn again
-        REQUIRE(renderer->render({.time = frame / 60.0, .index = frame}));
+        camera.position.x += 0.5; // even when everything has to be drawn again
+        const std::int64_t draws = renderer->counters().draws;
+        REQUIRE(renderer->render({.time = frame / 60.0, .index = frame, .camera = &camera}));
+        CHECK(renderer->counters().draws >= draws + static_cast<std::int64_t>(scene.elements.size() + plan->steps.size()) - 1);
         CHECK(asked().calls.empty());
         CHECK(asked().texels == 0);
         // Camera and frame blocks, and each lamp in view space: 3 * 64 + 2 * 16, 32 and 3 * 16 bytes.
