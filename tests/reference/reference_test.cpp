@@ -98,3 +98,20 @@ TEST_CASE("a pixel's place lies on its ray, at its distance", "[reference]")
     const reference::Vector middle = reference::place_at_distance(7.5, 3.5, 16, 8, right_angle, 3.0);
     CHECK(middle == reference::Vector{0.0, 0.0, -3.0});
 }
+
+TEST_CASE("the share of Beckmann's facets that is seen is the table's", "[reference]")
+{
+    const test::Table table = read_table("brdf_terms.csv");
+    int compared = 0;
+    for (const std::vector<double>& row : table.rows) {
+        const auto value = [&](const char* name) { return row[table.column(name)]; };
+        const double alpha = value("roughness") * value("roughness");
+        if (!(alpha > 0.0) || !(value("NoL") > 0.0) || !(value("NoV") > 0.0) || !(value("NoL") <= 1.0) || !(value("NoV") <= 1.0))
+            continue;
+        // erfc and the exponential cancel: 2^-53 of terms of up to 1 / cosine stays.
+        const double both = reference::beckmann_seen(value("NoL"), alpha) * reference::beckmann_seen(value("NoV"), alpha);
+        CHECK(both == Approx(value("G_smith_sep_beck")).epsilon(1e-10).margin(1e-14));
+        ++compared;
+    }
+    CHECK(compared > 50);
+}

@@ -27,42 +27,44 @@ constexpr Probe kProbes[] = {
     {"ggx_density", R"(/*{ "pass": "ggx_density",
   "inputs": { "normals": "position", "halves": "position" }, "outputs": { "density": "position" },
   "params": { "roughness": { "type": "float", "default": 0.045, "range": [0, 1], "static": true } },
-  "ladders": { "form": ["textbook", "difference_of_squares", "lagrange"] } }*/
-#include "brdf.glsl"
+  "ladders": { "ggx_form": ["textbook", "difference_of_squares", "lagrange"] } }*/
+#include "distribution.glsl"
 vec3 ggx_density(vec2 uv)
 {
     vec3 n = normals(uv);
     vec3 h = halves(uv);
     float alpha = roughness * roughness;
     float cosine = dot(n, h);
-#if form == form_textbook
-    float bracket = cosine * cosine * (alpha * alpha - 1.0) + 1.0;
-    float density = inverse_pi * alpha * alpha / (bracket * bracket);
-#elif form == form_difference_of_squares
-    float density = ggx_distribution(cosine * cosine, (1.0 - cosine) * (1.0 + cosine), alpha * alpha);
+#if ggx_form == ggx_form_textbook
+    float d = ggx_textbook(cosine, alpha * alpha);
+#elif ggx_form == ggx_form_difference_of_squares
+    float d = ggx_distribution(cosine * cosine, (1.0 - cosine) * (1.0 + cosine), 1.0, alpha * alpha);
 #else
     vec3 across = cross(n, h);
-    float density = ggx_distribution(cosine * cosine, dot(across, across), alpha * alpha);
+    float d = ggx_distribution(cosine * cosine, dot(across, across), 1.0, alpha * alpha);
 #endif
-    return vec3(density, 0.0, 0.0);
+    return vec3(d, 0.0, 0.0);
 }
 )"},
     {"fresnel_edge", R"(/*{ "pass": "fresnel_edge",
   "inputs": { "cosines": "position" }, "outputs": { "weight": "position" },
-  "ladders": { "power": ["pow", "multiplications"] } }*/
-#include "brdf.glsl"
-float edge(float cosine)
-{
-#if power == power_pow
-    return pow(1.0 - cosine, 5.0);
-#else
-    return fresnel_weight(cosine);
-#endif
-}
+  "ladders": { "fresnel_power": ["pow", "multiplications"] } }*/
+#include "fresnel.glsl"
 vec3 fresnel_edge(vec2 uv)
 {
     vec3 c = cosines(uv);
-    return vec3(edge(c.x), edge(c.y), edge(c.z));
+    return vec3(fresnel_weight(c.x, fresnel_power), fresnel_weight(c.y, fresnel_power), fresnel_weight(c.z, fresnel_power));
+}
+)"},
+    {"facets_seen", R"(/*{ "pass": "facets_seen",
+  "inputs": { "angles": "position" }, "outputs": { "seen": "position" },
+  "ladders": { "beckmann_masking": ["rational", "erf"] } }*/
+#include "masking.glsl"
+vec3 facets_seen(vec2 uv)
+{
+    float cosine = angles(uv).x;
+    float alpha = angles(uv).y * angles(uv).y; // of the roughness
+    return vec3(cosine / (cosine + beckmann_hidden(cosine, alpha * alpha, beckmann_masking)), 0.0, 0.0);
 }
 )"},
     {"spoil", R"(/*{ "pass": "spoil", "summary": "Returns what a careless pass may: marks in `value` become no number, infinity and less than nothing.",

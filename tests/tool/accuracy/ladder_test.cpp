@@ -40,6 +40,7 @@ TEST_CASE("stored normals are within their codec's bound", "[accuracy][normal_co
 TEST_CASE("stored and rebuilt positions are within their bound", "[accuracy][position]") { check_ladder("position"); }
 TEST_CASE("stored radiance is within its codec's bound", "[accuracy][radiance_codec]") { check_ladder("radiance_codec"); }
 TEST_CASE("the Fresnel edge is within its bound, by pow and by products", "[accuracy][fresnel_power]") { check_ladder("fresnel_power"); }
+TEST_CASE("Beckmann's masking is within its bound, by a rational form and by an error function", "[accuracy][beckmann_masking]") { check_ladder("beckmann_masking"); }
 TEST_CASE("the filmic curve is within its bound, exact and from a table", "[accuracy][tone_curve]") { check_ladder("tone_curve"); }
 TEST_CASE("the sRGB encoding is within its bound, exact and approximated", "[accuracy][srgb_transfer]") { check_ladder("srgb_transfer"); }
 

@@ -10,7 +10,7 @@ namespace passgraph::accuracy {
 
 const std::vector<Ladder>& all_ladders()
 {
-    static const std::vector<Ladder> all = {normal_codec(), position_source(), ggx_form(),      fresnel_power(), radiance_codec(),
+    static const std::vector<Ladder> all = {normal_codec(), position_source(), ggx_form(),      fresnel_power(), beckmann_masking(), radiance_codec(),
                                             guards(),       blur(),            tone_curve(), srgb_transfer()};
     return all;
 }

@@ -8,6 +8,7 @@ namespace passgraph::accuracy {
 Ladder normal_codec();
 Ladder position_source();
 Ladder radiance_codec();
+Ladder beckmann_masking();
 Ladder ggx_form();
 Ladder fresnel_power();
 Ladder blur();

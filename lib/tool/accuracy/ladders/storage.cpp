@@ -126,7 +126,7 @@ Ladder normal_codec()
                   .stage = "G-buffer",
                   .about = "A unit vector is stored by one draw and read by the next. The picture covers the whole sphere, one direction "
                            "per texel; the error is the angle between what went in and what came out.",
-                  .passes = {"gbuffer", "pbr"},
+                  .passes = {"gbuffer", "pbr", "pbr_surface"},
                   .metric = {"angle to the true normal, largest", "degrees", Distance::angle, Summary::largest},
                   .make_inputs = whole_sphere,
                   .find_truth = the_value_itself,
@@ -162,7 +162,7 @@ Ladder position_source()
                   .stage = "G-buffer",
                   .about = "The G-buffer draws strips at known distances from 0.2 to 900 m (near plane 0.1 m, far plane 1000 m); the place of each "
                            "pixel is stored, or rebuilt from the depth buffer along the view ray. The time is that of both draws: the geometry and the reader.",
-                  .passes = {"gbuffer", "pbr", "sky"},
+                  .passes = {"gbuffer", "position_from_depth", "pbr", "pbr_surface"},
                   .metric = {"distance from the true place over its distance from the eye, largest", "", Distance::relative, Summary::largest},
                   .make_inputs = strips_of_distance,
                   .find_truth = places_on_strips,
@@ -193,7 +193,7 @@ Ladder radiance_codec()
                   .stage = "lighting",
                   .about = "Colors from 2e-4 to 6e4 of all hues, stored by one draw and read by the next. The error is relative, per channel: "
                            "what one store and load loses. A software rasteriser truncates, so that each further pass darkens by the bias.",
-                  .passes = {"pbr", "sky", "bloom_combine", "bright"},
+                  .passes = {"pbr", "pbr_surface", "sky", "bloom_combine", "bright"},
                   .metric = {"relative error of a channel, largest", "", Distance::relative, Summary::largest, 0.0, true},
                   .make_inputs = [](Extent extent) { return Inputs{{{"value", radiance_field(extent, 1e-3, 6e4)}}, nullptr}; },
                   .find_truth = the_value_itself,

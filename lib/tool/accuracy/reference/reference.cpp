@@ -35,6 +35,16 @@ double ggx_density(const Vector& normal, const Vector& half, double alpha)
 
 double schlick_weight(double cosine) { return std::pow(std::max(1.0 - cosine, 0.0), 5.0); }
 
+double beckmann_seen(double cosine, double alpha)
+{
+    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+    if (sine == 0.0)
+        return 1.0;
+    const double a = cosine / (alpha * sine);
+    const double lambda = std::exp(-a * a) / (2.0 * a * std::sqrt(std::numbers::pi)) - 0.5 * std::erfc(a);
+    return 1.0 / (1.0 + lambda);
+}
+
 double filmic(double radiance, double white, const FilmicConstants& k)
 {
     const auto curve = [&](double x) {

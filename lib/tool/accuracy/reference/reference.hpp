@@ -26,6 +26,12 @@ double ggx_density(const Vector& normal, const Vector& half, double alpha);
 /// Source   Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15.
 double schlick_weight(double cosine);
 
+/// The share of Beckmann's facets that a direction sees past the others, Smith's G1.
+///
+/// Range    `cosine` in (0, 1], of the direction and the surface's normal; `alpha` > 0, roughness squared.
+/// Source   Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 72.
+double beckmann_seen(double cosine, double alpha);
+
 /// The constants of Hable's curve; the default is the 2017 demo's.
 struct FilmicConstants {
     double shoulder = 0.22;
