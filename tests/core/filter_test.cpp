@@ -54,7 +54,7 @@ TEST_CASE("a filter by rungs names a ladder or choice, its items, and words that
 {
     const std::pair<const char*, const char*> rows[] = {
         {R"({ "samplng": { "pairs": "linear" } })", "did you mean `sampling`?"},
-        {R"({ "sampling": { "pears": "linear" } })", "did you mean `pairs`?"},
+        {R"({ "sampling": { "pair": "linear" } })", "did you mean `pairs`?"},
         {R"({ "sampling": { "pairs": "liner" } })", "did you mean `linear`?"},
     };
     for (const auto& [filter, hint] : rows) {
