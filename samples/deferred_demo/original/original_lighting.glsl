@@ -29,9 +29,9 @@ float ggx(float n_dot_h, float roughness)
 
 vec3 lit_by(Light lamp, vec3 place, vec3 n, vec3 v, vec3 base, vec3 matter)
 {
-    vec3 way = lamp.kind == light_point ? lamp.position - place : -lamp.direction;
+    vec3 way = lamp.position - place * lamp.nearness; // of a directional light, against its direction
     // The lamp's color there was at most 1, and 5000 what we have in the color itself.
-    float attenuation = lamp.kind == light_point ? 1.0 / dot(way, way) : 1.0;
+    float attenuation = lamp.nearness > 0.0 ? 1.0 / dot(way, way) : 1.0;
     vec3 l = normalize(way);
     vec3 h = normalize(v + l);
     float n_dot_l = max(dot(n, l), 0.0);
