@@ -62,7 +62,7 @@ void CameraController::turn(double pixels_right, double pixels_down, int picture
 Camera CameraController::camera() const
 {
     Camera camera = camera_;
-    camera.position = glm::vec3(position_);
+    camera.position = position_;
     camera.direction = glm::vec3(direction_);
     return camera;
 }
