@@ -2,6 +2,8 @@
 #include <passgraph/gl/presenter.hpp>
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -12,7 +14,7 @@
 namespace passgraph {
 namespace {
 
-constexpr const char* kImage = "passgraph_image";
+constexpr const char* kSamplers[] = {"passgraph_image_0", "passgraph_image_1", "passgraph_image_2", "passgraph_image_3"};
 
 constexpr const char* kVertex = R"(#version 330 core
 out vec2 uv;
@@ -53,16 +55,32 @@ bool is_linear(Signal signal)
     return signal == Signal::radiance || signal == Signal::radiance_alpha || signal == Signal::albedo || signal == Signal::color;
 }
 
-std::string fragment_of(Signal signal, const Codec& codec)
+/// `vec4(texture(passgraph_image_0, uv).rg, texture(passgraph_image_1, uv).a, 0.0)`: the codes, wherever they stand.
+std::string gathered_codes(const std::vector<StoredCodes>& codes)
 {
-    std::string text = fmt::format("#version 330 core\nuniform sampler2D {};\nuniform vec3 low;\nuniform vec3 high;\n"
-                                   "in vec2 uv;\nout vec4 color;\n",
-                                   kImage);
+    std::string text = "vec4(";
+    size_t count = 0;
+    for (size_t i = 0; i < codes.size(); ++i) {
+        text += fmt::format("{}texture({}, uv).{}", i == 0 ? "" : ", ", kSamplers[i], codes[i].channels);
+        count += codes[i].channels.size();
+    }
+    for (; count < 4; ++count)
+        text += count == 3 ? ", 1.0" : ", 0.0";
+    return text + ")";
+}
+
+std::string fragment_of(const ShownImage& image)
+{
+    std::string text = "#version 330 core\nuniform vec3 low;\nuniform vec3 high;\nin vec2 uv;\nout vec4 color;\n";
+    for (size_t i = 0; i < image.codes.size(); ++i)
+        text += fmt::format("uniform sampler2D {};\n", kSamplers[i]);
     text += glsl_codec_functions();
-    text += fmt::format("void main()\n{{\n    vec4 texel = texture({}, uv);\n", kImage);
-    text += fmt::format("    {} v = {};\n", glsl_type(info(signal).components), glsl_decode_call(signal, codec, "texel"));
-    text += fmt::format("    vec3 c = clamp(({} - low) / (high - low), 0.0, 1.0);\n", scale_of(signal));
-    if (is_linear(signal)) // IEC 61966-2-1
+    // A stored distance is on the scale already: 1 / (1 / z).
+    text += "float passgraph_depth_of(float distance) { return distance > 0.0 ? 1.0 / distance : 0.0; }\n";
+    text += fmt::format("void main()\n{{\n    vec4 texel = {};\n", gathered_codes(image.codes));
+    text += fmt::format("    {} v = {};\n", glsl_type(info(image.signal).components), glsl_decode_call(image.signal, image.codec, "texel"));
+    text += fmt::format("    vec3 c = clamp(({} - low) / (high - low), 0.0, 1.0);\n", scale_of(image.signal));
+    if (is_linear(image.signal)) // IEC 61966-2-1
         text += "    c = mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));\n";
     return text + "    color = vec4(c, 1.0);\n}\n";
 }
@@ -102,7 +120,7 @@ private:
     gl::Samplers samplers_;
     gl::VertexArrayObject no_vertices_;
     std::optional<gl::Reader> reader_;
-    std::map<std::pair<Signal, std::string_view>, gl::Program> programs_;
+    std::map<std::string, gl::Program> programs_; ///< by the fragment stage's text
     std::map<size_t, Target> kept_;
     Target whole_; ///< what `read` draws into
 };
@@ -118,19 +136,21 @@ void Presenter::Impl::begin(gl::Upload& upload)
 
 Result<gl::Program*> Presenter::Impl::program_of(const ShownImage& image)
 {
-    gl::Program& known = programs_[{image.signal, image.codec.name}];
+    assert(!image.codes.empty() && image.codes.size() <= std::size(kSamplers));
+    Plan::Step step;
+    step.fragment = fragment_of(image);
+    gl::Program& known = programs_[step.fragment];
     if (known.linked)
         return &known;
-    Plan::Step step;
     step.name = fmt::format("a view of {}", info(image.signal).name);
-    step.reads.push_back({.sampler = kImage, .image = "image"});
+    for (size_t i = 0; i < image.codes.size(); ++i)
+        step.reads.push_back({.sampler = kSamplers[i], .image = "image"});
     const auto uniform = [&](std::string name) {
         step.uniforms.push_back({.name = name, .place = name, .type = ParamType::vec3, .value = {}});
     };
     uniform("low");
     uniform("high");
     step.vertex = kVertex;
-    step.fragment = fragment_of(image.signal, image.codec);
     Result<gl::Program> made = gl::create_program(driver_, state_, step);
     if (!made)
         return tl::unexpected(made.error());
@@ -150,17 +170,20 @@ Result<void> Presenter::Impl::draw(gl::Upload& upload, const ShownImage& image, 
     gl.Viewport(place.x, place.y, place.extent.width, place.extent.height);
     state_.use_program((*program)->id());
     state_.vertex_array(no_vertices_.id());
-    if (const int unit = (*program)->read_units.front(); unit >= 0) {
-        // Neighbours of packed codes, and of depths at an edge, have no mean.
-        const bool blends = image.texture.extent != place.extent && image.codec.packing == Packing::plain && !is_depth(image.codec.format);
-        state_.texture(unit, GL_TEXTURE_2D, image.texture.id);
-        state_.sampler(unit, samplers_.get(blends ? Filter::linear : Filter::nearest, AddressMode::clamp, AddressMode::clamp, false));
-    }
+    // Neighbours of packed codes, and of depths at an edge, have no mean.
+    const bool blends = image.extent() != place.extent && image.codec.packing == Packing::plain && image.signal != Signal::depth;
+    const GLuint sampler = samplers_.get(blends ? Filter::linear : Filter::nearest, AddressMode::clamp, AddressMode::clamp, false);
+    for (size_t i = 0; i < image.codes.size(); ++i)
+        if (const int unit = (*program)->read_units[i]; unit >= 0) {
+            state_.texture(unit, GL_TEXTURE_2D, image.codes[i].texture.id);
+            state_.sampler(unit, sampler);
+        }
     (*program)->uniforms[0].value = value_of(image.low);
     (*program)->uniforms[1].value = value_of(image.high);
     gl::send_uniforms(gl, **program);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindSampler(0, 0); // a user interface draws next, and may not know of samplers
+    for (size_t i = 0; i < image.codes.size(); ++i) // a user interface draws next, and may not know of samplers
+        gl.BindSampler(static_cast<GLuint>(i), 0);
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));
     return {};
@@ -172,7 +195,7 @@ Result<void> Presenter::Impl::show(const ShownImage& image, Extent window)
     gl::Upload upload{driver_, state_, watch};
     begin(upload);
     state_.draw_framebuffer(0);
-    const Place place = place_of(image.texture.extent, window);
+    const Place place = place_of(image.extent(), window);
     if (place.extent != window)
         driver_.gl.ClearBufferfv(GL_COLOR, 0, kRim);
     return draw(upload, image, place);
@@ -222,7 +245,7 @@ Result<Picture> Presenter::Impl::read(const ShownImage& image)
     gl::ErrorWatch watch(driver_);
     gl::Upload upload{driver_, state_, watch};
     begin(upload);
-    const Extent extent = image.texture.extent;
+    const Extent extent = image.extent();
     fit(upload, whole_, extent);
     state_.draw_framebuffer(whole_.framebuffer.id());
     if (const Result<void> drawn = draw(upload, image, {0, 0, extent}); !drawn)

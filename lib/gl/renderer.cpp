@@ -80,10 +80,13 @@ Errors Renderer::Impl::find_missing(const Frame& frame) const
 
 void Renderer::Impl::update_camera(gl::Upload& upload, const Camera& camera)
 {
-    if (camera_ && gl::same_camera(*camera_, camera))
+    const bool is_same = camera_ && gl::same_camera(*camera_, camera);
+    if (is_same && view_extent_ == objects_.plan.extent)
         return;
+    if (!is_same) // another plan's extent is no change of what a plan holds
+        ++camera_version_;
     camera_ = camera;
-    ++camera_version_;
+    view_extent_ = objects_.plan.extent;
     const gl::View view = gl::view_of(camera, objects_.plan.extent, driver_.gl.ClipControl != nullptr);
     blocks_->set_camera(driver_.gl, view.block);
     if (scene_buffers_)
@@ -159,6 +162,7 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     }
     objects_.freshness.have_run(objects_.plan, stale);
     objects_.timing.frame_done();
+    drawn_ = stale;
     is_first_frame_ = false;
     return {};
 }
@@ -196,6 +200,18 @@ Result<HostTexture> Renderer::Impl::texture(std::string_view name) const
     return HostTexture{id, (*output)->extent};
 }
 
+Result<std::vector<StoredCodes>> Renderer::Impl::codes(std::string_view name) const
+{
+    const Result<HostTexture> first = texture(name);
+    if (!first)
+        return tl::unexpected(first.error());
+    const Plan::Output& output = **find_output(name);
+    std::vector<StoredCodes> codes;
+    for (const Plan::Output::Place& place : output.places)
+        codes.push_back({{texture_of(output, place), output.extent}, place.channels});
+    return codes;
+}
+
 Result<Picture> Renderer::Impl::read(std::string_view name, gl::Rectangle window)
 {
     const Result<HostTexture> texture = this->texture(name);
@@ -213,6 +229,14 @@ Result<Picture> Renderer::Impl::read(std::string_view name, gl::Rectangle window
     const Codec codec = is_slot ? output.codec : Codec{"rgba32f", Format::rgba32f, Packing::plain};
     const DepthRange range = camera_ ? DepthRange{camera_->near_plane, camera_->far_plane} : DepthRange{};
     return decode_texels(*raw, output.signal, codec, range);
+}
+
+std::vector<StepTime> Renderer::Impl::step_times() const
+{
+    std::vector<StepTime> times = objects_.timing.read(driver_.gl, objects_.plan);
+    for (size_t i = 0; i < std::min(times.size(), drawn_.size()); ++i)
+        times[i].was_drawn = drawn_[i];
+    return times;
 }
 
 Renderer::Counters Renderer::Impl::counters() const
@@ -282,6 +306,10 @@ Result<Picture> Renderer::read_texel(std::string_view output, int x, int y)
 Result<HostTexture> Renderer::texture(std::string_view output) const
 {
     return impl_->texture(output);
+}
+Result<std::vector<StoredCodes>> Renderer::codes(std::string_view output) const
+{
+    return impl_->codes(output);
 }
 const Plan& Renderer::plan() const
 {

@@ -35,7 +35,8 @@ public:
     Result<void> render(const Frame& frame);
     Result<Picture> read(std::string_view output, gl::Rectangle window);
     Result<HostTexture> texture(std::string_view output) const;
-    std::vector<StepTime> step_times() const { return objects_.timing.read(driver_.gl, objects_.plan); }
+    Result<std::vector<StoredCodes>> codes(std::string_view output) const;
+    std::vector<StepTime> step_times() const;
     template <class Take> Result<void> import(const Take& take);
 
     gl::PlanObjects& objects() { return objects_; }
@@ -73,9 +74,11 @@ private:
     gl::VertexArrayObject empty_vertex_array_;
     gl::Cube black_cube_;
     std::optional<Camera> camera_; ///< that the camera block and the scene's buffers hold
+    Extent view_extent_{}; ///< that they were made for
     std::uint64_t camera_version_ = 0;
     std::uint64_t scene_version_ = 0;
     std::uint64_t frame_version_ = 0;
+    std::vector<bool> drawn_; ///< by step, in the last frame
     bool is_first_frame_ = true;
     bool checks_each_step_ = true;
     std::int64_t draws_ = 0;

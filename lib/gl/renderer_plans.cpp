@@ -24,7 +24,6 @@ void Renderer::Impl::take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl
         imports.adopt(upload, std::move(*imports_));
     imports_ = std::move(imports);
     std::swap(objects_, objects);
-    camera_.reset(); // another extent, another aspect
     is_first_frame_ = checks_each_step_ = true;
 }
 

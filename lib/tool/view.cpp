@@ -22,9 +22,13 @@ Result<void> check_folders(const view::ViewOptions& options, const LibraryOption
     std::error_code failed;
     for (const std::string& folder : library.folders)
         if (!std::filesystem::is_directory(folder, failed))
-            errors.push_back({.code = "file_missing", .message = fmt::format("there is no folder `{}`", folder), .hint = "--passes names a folder with .glsl files"});
+            errors.push_back({.code = "file_missing",
+                              .message = fmt::format("there is no folder `{}`", folder),
+                              .hint = "--passes names a folder with .glsl files"});
     if (!std::filesystem::is_directory(options.pictures, failed))
-        errors.push_back({.code = "file_missing", .message = fmt::format("there is no folder `{}`", options.pictures), .hint = fmt::format("mkdir -p {}", options.pictures)});
+        errors.push_back({.code = "file_missing",
+                          .message = fmt::format("there is no folder `{}`", options.pictures),
+                          .hint = fmt::format("mkdir -p {}", options.pictures)});
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
     return {};

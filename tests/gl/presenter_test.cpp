@@ -20,11 +20,11 @@ Picture shown(Signal signal, const std::string& codec, const std::string& value,
     builder.output("image", slot, signal, codec);
     Renderer renderer = make_renderer(builder.plan);
     require_ok(renderer.render());
-    const Result<HostTexture> texture = renderer.texture("image");
-    REQUIRE(texture);
+    const Result<std::vector<StoredCodes>> codes = renderer.codes("image");
+    REQUIRE(codes);
     Result<Presenter> presenter = Presenter::create(test_loader());
     REQUIRE(presenter);
-    const Result<Picture> picture = presenter->read({*texture, signal, stored, low, high});
+    const Result<Picture> picture = presenter->read({*codes, signal, stored, low, high});
     if (!picture)
         FAIL(to_text(picture.error()));
     CHECK(picture->extent == Extent{2, 2});

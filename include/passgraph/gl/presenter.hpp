@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <passgraph/core/codec.hpp>
 #include <passgraph/core/error.hpp>
@@ -11,14 +12,16 @@ namespace passgraph {
 
 /// An image to be looked at: a plan's output and the texture that holds it.
 ///
-/// Values come to a scale of their signal first: radiance x / (1 + x), depth 1 / d (in proportion to the distance), a
+/// Values come to a scale of their signal first: radiance x / (1 + x), depth 1 / d (in proportion to the distance; the distance itself where that is stored), a
 /// normal (n + 1) / 2, velocity a share of 64 texels, everything else as it is. There `low` is black and `high` white.
 struct ShownImage {
-    HostTexture texture;
+    std::vector<StoredCodes> codes; ///< one to four, of one extent
     Signal signal = Signal::display;
     Codec codec;
     Vec3 low{0.0f, 0.0f, 0.0f};
     Vec3 high{1.0f, 1.0f, 1.0f};
+
+    Extent extent() const { return codes.front().texture.extent; }
 };
 
 /// Draws images for people. It keeps a program for each signal and codec it has met.

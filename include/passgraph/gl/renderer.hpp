@@ -35,10 +35,17 @@ struct HostTexture {
     std::uint64_t version = 0; ///< another one whenever its contents change; 0: they may have, each frame
 };
 
+/// A texture and those of its channels ("rg", "a") that hold codes of an image.
+struct StoredCodes {
+    HostTexture texture;
+    std::string channels;
+};
+
 /// Milliseconds between the ends of neighbouring steps, as the GL clock saw them in the last finished frame.
 struct StepTime {
     std::string step;
     double milliseconds = 0.0;
+    bool was_drawn = true; ///< false: its images were there already
 };
 
 struct RendererOptions {
@@ -127,6 +134,10 @@ public:
 
     /// Waits until all that was drawn is done: for timing by the wall clock.
     void finish();
+
+    /// The textures and channels in which an output's codes stand, in the codes' order: a layout may spread them.
+    /// Errors   unknown_output, import_missing.
+    Result<std::vector<StoredCodes>> codes(std::string_view output) const;
 
     const Plan& plan() const;
     /// Per step of the last frame, when `is_timed`; waits for the frame to finish.

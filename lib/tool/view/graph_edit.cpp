@@ -93,7 +93,8 @@ std::string member_of(const PassDeclaration& pass, const std::string& setting)
 
 const GraphDescription::Pass* find_pass(const GraphDescription& description, const std::string& name)
 {
-    const auto found = std::find_if(description.passes.begin(), description.passes.end(), [&](const auto& pass) { return pass.name == name; });
+    const auto found = std::find_if(description.passes.begin(), description.passes.end(),
+                                    [&](const auto& pass) { return pass.name == name; });
     return found == description.passes.end() ? nullptr : &*found;
 }
 

@@ -24,7 +24,12 @@ struct Push {
     int key;
     glm::dvec3 way; ///< right, up, back
 };
-const std::array<Push, 6> kPushes = {{{'W', {0, 0, -1}}, {'S', {0, 0, 1}}, {'A', {-1, 0, 0}}, {'D', {1, 0, 0}}, {'Q', {0, -1, 0}}, {'E', {0, 1, 0}}}};
+const std::array<Push, 6> kPushes = {{{'W', {0, 0, -1}},
+                                      {'S', {0, 0, 1}},
+                                      {'A', {-1, 0, 0}},
+                                      {'D', {1, 0, 0}},
+                                      {'Q', {0, -1, 0}},
+                                      {'E', {0, 1, 0}}}};
 
 } // namespace
 

@@ -30,7 +30,7 @@ void wait_for(Loader& loader, LoadedPasses& passes, LoadedScene& scene)
 
 bool needs_scene(const Plan& plan)
 {
-    return std::any_of(plan.imports.begin(), plan.imports.end(), [](const auto& import) { return import.kind == Plan::Import::Kind::sky; }) ||
+    return std::any_of(plan.imports.begin(), plan.imports.end(), [](const auto& import) { return import.is_of_scene(); }) ||
            std::any_of(plan.steps.begin(), plan.steps.end(), [](const Plan::Step& step) {
                return step.kind == Plan::Step::Kind::geometry || step.host.camera || step.host.lights || step.host.elements;
            });
@@ -66,13 +66,17 @@ void apply_preset(const std::string& file, std::vector<Stack>& stacks, const Pas
 void check_inputs(const Plan& plan, const Stack& stack, bool has_scene, Errors& errors)
 {
     for (const Plan::Import& import : plan.imports)
-        if (import.kind != Plan::Import::Kind::sky)
+        if (!import.is_of_scene())
             errors.push_back({.code = "input_missing",
-                              .message = fmt::format("the input `{}` ({}) cannot be given to the window", import.name, info(import.signal).name),
+                              .message = fmt::format("the input `{}` ({}) cannot be given to the window", import.name,
+                                                     info(import.signal).name),
                               .hint = "view shows graphs of a scene; use render for graphs of pictures",
                               .where = {stack.file}});
     if (needs_scene(plan) && !has_scene)
-        errors.push_back({.code = "scene_missing", .message = "the graph draws a scene, and none is given", .hint = "add --scene FILE", .where = {stack.file}});
+        errors.push_back({.code = "scene_missing",
+                          .message = "the graph draws a scene, and none is given",
+                          .hint = "add --scene FILE",
+                          .where = {stack.file}});
 }
 
 } // namespace

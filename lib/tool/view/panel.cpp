@@ -69,7 +69,8 @@ PanelOrders draw_interface(ViewState& state, const Stage& stage, const Inspector
         ImGui::SetNextWindowPos({static_cast<float>(surface.width) - width - 8.0f, 8.0f});
         ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(surface.height) - 16.0f});
         ImGui::SetNextWindowSize({width, 0.0f});
-        constexpr auto kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+        constexpr auto kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                ImGuiWindowFlags_NoSavedSettings;
         if (ImGui::Begin("panel", nullptr, kFlags)) {
             draw_stacks(state, orders);
             ImGui::Spacing();

@@ -27,7 +27,8 @@ void draw_images(ViewState& state, const Inspector& inspector, PanelOrders& orde
         if (found == state.images.end())
             continue; // of the stack before
         const auto index = static_cast<size_t>(found - state.images.begin());
-        const float height = width * static_cast<float>(thumbnail.texture.extent.height) / static_cast<float>(thumbnail.texture.extent.width);
+        const Extent extent = thumbnail.texture.extent;
+        const float height = width * static_cast<float>(extent.height) / static_cast<float>(extent.width);
         if (column++ % 2 == 1)
             ImGui::SameLine();
         ImGui::BeginGroup();
@@ -44,7 +45,8 @@ void draw_images(ViewState& state, const Inspector& inspector, PanelOrders& orde
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s: %s\n%s", thumbnail.image.c_str(), std::string(info(thumbnail.signal).name).c_str(),
                               std::string(info(thumbnail.signal).meaning).c_str());
-        ImGui::PushClipRect(ImGui::GetCursorScreenPos(), {ImGui::GetCursorScreenPos().x + width + 4.0f, ImGui::GetCursorScreenPos().y + 40.0f}, true);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushClipRect(at, {at.x + width + 4.0f, at.y + 40.0f}, true);
         ImGui::TextDisabled("%s", key_of(index).c_str());
         ImGui::SameLine(0.0f, 0.0f);
         ImGui::TextUnformatted(thumbnail.image.c_str());

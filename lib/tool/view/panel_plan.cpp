@@ -32,7 +32,8 @@ void draw_costs(const Stage& stage)
         return;
     ImGui::Text("%.0f ms", stage.frame_ms());
     ImGui::SameLine();
-    ImGui::TextDisabled("%d x %d, %zu step%s, %.1f MB", plan.extent.width, plan.extent.height, plan.steps.size(), plan.steps.size() == 1 ? "" : "s",
+    ImGui::TextDisabled("%d x %d, %zu step%s, %.1f MB", plan.extent.width, plan.extent.height, plan.steps.size(),
+                        plan.steps.size() == 1 ? "" : "s",
                         static_cast<double>(plan.bytes) / (1024.0 * 1024.0));
     if (stage.is_building())
         ImGui::ProgressBar(stage.progress(), {-1.0f, 6.0f}, "");

@@ -48,7 +48,8 @@ bool edit_floats(const Control& control, Value& value)
                                           flags | (control.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     else {
         const float speed = static_cast<float>(std::max(std::abs(value.v[0]), 0.05) * 0.01);
-        is_changed = ImGui::DragScalarN("##value", ImGuiDataType_Float, numbers.data(), control.components, speed, &low, &high, format.c_str(), flags);
+        is_changed = ImGui::DragScalarN("##value", ImGuiDataType_Float, numbers.data(), control.components, speed, &low,
+                                        &high, format.c_str(), flags);
     }
     for (size_t i = 0; i < numbers.size(); ++i)
         value.v[i] = static_cast<double>(numbers[i]);
@@ -60,7 +61,8 @@ bool edit_whole(const Control& control, Value& value)
     int number = static_cast<int>(value.v[0]);
     const std::string format = control.unit.empty() ? "%d" : "%d " + control.unit;
     const bool is_changed =
-        is_slid(control) ? ImGui::SliderInt("##value", &number, static_cast<int>(control.lowest), static_cast<int>(control.highest), format.c_str(),
+        is_slid(control) ? ImGui::SliderInt("##value", &number, static_cast<int>(control.lowest),
+                                            static_cast<int>(control.highest), format.c_str(),
                                             ImGuiSliderFlags_AlwaysClamp)
                          : ImGui::DragInt("##value", &number, 0.1f);
     value.v[0] = number;

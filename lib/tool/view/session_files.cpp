@@ -53,7 +53,8 @@ void Session::watch_files()
         loader_->request_passes();
     if (!options_.scene.empty() && !std::all_of(changed.begin(), changed.end(), is_graph))
         loader_->request_scene();
-    change_ = Change{changed.size() == 1 ? file_name(changed.front()) : fmt::format("{} files", changed.size()), FileWatch::latest(changed)};
+    change_ = Change{changed.size() == 1 ? file_name(changed.front()) : fmt::format("{} files", changed.size()),
+                     FileWatch::latest(changed)};
 }
 
 /// Mistakes go to the terminal once: those that were not there before.
@@ -159,7 +160,8 @@ void Session::work_on_plans()
         if (inspector_.work_on_answer(inspected(flight_ ? &camera : nullptr, options)))
             print_answer();
         presents_ = 3;
-    } else if (state_.shows_panel && state_.shows_thumbnails && inspector_.has_old_thumbnails() && now() - last_change_ > kThumbnailsAfter) {
+    } else if (state_.shows_panel && state_.shows_thumbnails && inspector_.has_old_thumbnails() &&
+               now() - last_change_ > kThumbnailsAfter) {
         inspector_.work_on_thumbnails(inspected(flight_ ? &camera : nullptr, options));
         presents_ = 3;
     }

@@ -120,13 +120,15 @@ void Session::save_picture()
         state_.mistakes.saving = picture.error();
         return;
     }
-    const std::string name = state_.stack().shown.empty() ? state_.stack().name : state_.stack().name + "_" + without_dots(state_.stack().shown);
+    const Stack& stack = state_.stack();
+    const std::string name = stack.shown.empty() ? stack.name : stack.name + "_" + without_dots(stack.shown);
     // Compressing takes a frame's time or two: not in the window's.
-    saving_ = std::async(std::launch::async, [picture = std::move(*picture), file = free_file(options_.pictures, name)]() -> Result<std::string> {
+    const auto write = [picture = std::move(*picture), file = free_file(options_.pictures, name)]() -> Result<std::string> {
         if (const Result<void> written = write_picture(file, picture); !written)
             return tl::unexpected(written.error());
         return file;
-    });
+    };
+    saving_ = std::async(std::launch::async, write);
 }
 
 void Session::take_saved()

@@ -30,7 +30,9 @@ bool same_steps(const Plan::Step& a, const Plan::Step& b)
     const auto same_uniform = [](const Plan::Uniform& x, const Plan::Uniform& y) {
         return x.name == y.name && x.place == y.place && x.type == y.type && x.lowest == y.lowest && x.highest == y.highest;
     };
-    return a.kind == b.kind && a.extent == b.extent && a.depth_slot == b.depth_slot && a.vertex == b.vertex && a.fragment == b.fragment &&
+    return a.kind == b.kind && a.extent == b.extent && a.depth_slot == b.depth_slot &&
+           a.tested_depth_slot == b.tested_depth_slot && a.vertex == b.vertex && a.fragment == b.fragment &&
+           a.background == b.background &&
            std::equal(a.reads.begin(), a.reads.end(), b.reads.begin(), b.reads.end(), same_read) &&
            std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), same_target) &&
            std::equal(a.uniforms.begin(), a.uniforms.end(), b.uniforms.begin(), b.uniforms.end(), same_uniform);
@@ -92,8 +94,12 @@ bool runs_alike(const Plan& a, const Plan& b)
     const auto same_import = [](const Plan::Import& x, const Plan::Import& y) {
         return x.kind == y.kind && x.name == y.name && x.signal == y.signal && x.extent == y.extent;
     };
-    const auto same_output = [](const Plan::Output& x, const Plan::Output& y) {
-        return x.name == y.name && x.source == y.source && x.index == y.index && x.signal == y.signal && x.codec == y.codec;
+    const auto same_place = [](const Plan::Output::Place& x, const Plan::Output::Place& y) {
+        return x.index == y.index && x.channels == y.channels;
+    };
+    const auto same_output = [&](const Plan::Output& x, const Plan::Output& y) {
+        return x.name == y.name && x.source == y.source && x.signal == y.signal && x.codec == y.codec &&
+               std::equal(x.places.begin(), x.places.end(), y.places.begin(), y.places.end(), same_place);
     };
     return a.extent == b.extent && std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end(), same_slot) &&
            std::equal(a.imports.begin(), a.imports.end(), b.imports.begin(), b.imports.end(), same_import) &&

@@ -28,10 +28,19 @@ template <class Scale> std::pair<float, float> range_of(const Picture& picture, 
 }
 
 /// Positions and depths are lengths of any size: black to white is what the picture holds. Near is white.
-void find_range(ShownImage& image, const Picture& values)
+void find_range(ShownImage& image, const Picture& values, const DepthRange& planes)
 {
     if (image.signal == Signal::depth) {
-        const auto [near, far] = range_of(values, 0, [](float d) { return d > 0.0f ? 1.0f / d : kLargest; });
+        // d = n (f - z) / (z (f - n)); what is stored as a distance is shown as one.
+        const float across = planes.far_plane - planes.near_plane;
+        const auto scale = [&](float d) {
+            if (!(d > 0.0f))
+                return kLargest;
+            return image.codec.packing == Packing::linear
+                       ? planes.near_plane * planes.far_plane / (planes.near_plane + d * across)
+                       : 1.0f / d;
+        };
+        const auto [near, far] = range_of(values, 0, scale);
         const float beyond = far + 0.15f * (far - near); // the farthest surface is told from nothing at all
         image.low.fill(beyond);
         image.high.fill(near);
@@ -106,6 +115,7 @@ Errors Stage::work()
     copy_values(*wanted_, renderer_);
     wanted_.reset();
     has_plan_ = true;
+    step_times_.clear();
     shown_.reset();
     return {};
 }
@@ -127,30 +137,41 @@ Result<void> Stage::set_scene(std::shared_ptr<const Scene> scene)
 
 Result<ShownImage> Stage::shown_output(const Plan::Output& output)
 {
-    const Result<HostTexture> texture = renderer_.texture(output.name);
-    if (!texture)
-        return tl::unexpected(texture.error());
-    ShownImage image{.texture = *texture, .signal = output.signal, .codec = output.codec};
+    Result<std::vector<StoredCodes>> codes = renderer_.codes(output.name);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    ShownImage image{.codes = std::move(*codes), .signal = output.signal, .codec = output.codec};
     if (output.signal == Signal::depth || output.signal == Signal::position) {
         const Result<Picture> values = renderer_.read(output.name);
         if (!values)
             return tl::unexpected(values.error());
-        find_range(image, *values);
+        find_range(image, *values, range_);
     }
     return image;
+}
+
+/// A step that was not drawn this time keeps what it took the last time.
+void Stage::keep_times(std::vector<StepTime> times)
+{
+    for (size_t i = 0; i < std::min(times.size(), step_times_.size()); ++i)
+        if (!times[i].was_drawn && times[i].step == step_times_[i].step)
+            times[i] = step_times_[i];
+    step_times_ = std::move(times);
 }
 
 Result<void> Stage::draw(const Frame& frame)
 {
     const auto start = std::chrono::steady_clock::now();
+    if (frame.camera != nullptr)
+        range_ = {frame.camera->near_plane, frame.camera->far_plane};
     if (Result<void> drawn = renderer_.render(frame); !drawn)
         return drawn;
-    step_times_ = renderer_.step_times(); // waits for the frame
+    keep_times(renderer_.step_times()); // waits for the frame
     frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     Result<ShownImage> image = shown_output(renderer_.plan().outputs.front());
     if (!image)
         return tl::unexpected(image.error());
-    shown_ = *image;
+    shown_ = std::move(*image);
     return {};
 }
 

@@ -43,6 +43,7 @@ public:
     Result<ShownImage> shown_output(const Plan::Output& output);
 
 private:
+    void keep_times(std::vector<StepTime> times);
     Stage(Renderer renderer, Presenter presenter) : renderer_(std::move(renderer)), presenter_(std::move(presenter)) {}
 
     std::shared_ptr<const Scene> scene_; ///< before the renderer, which reads it
@@ -52,6 +53,7 @@ private:
     std::optional<Plan> wanted_; ///< whose live values the coming plan gets
     bool has_plan_ = false;
     std::optional<ShownImage> shown_;
+    DepthRange range_; ///< of the camera
     std::vector<StepTime> step_times_;
     double frame_ms_ = 0.0;
 };
