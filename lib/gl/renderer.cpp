@@ -207,8 +207,7 @@ Result<std::vector<StoredCodes>> Renderer::Impl::codes(std::string_view name) co
         return tl::unexpected(first.error());
     const Plan::Output& output = **find_output(name);
     std::vector<StoredCodes> codes;
-    for (const Plan::Output::Place& place : output.places)
-        codes.push_back({{texture_of(output, place), output.extent}, place.channels});
+    codes.push_back({{texture_of(output), output.extent}, "rgba"});
     return codes;
 }
 

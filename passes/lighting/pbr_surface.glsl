@@ -64,7 +64,8 @@ vec3 lit_by_sky(Surface surface, vec3 base, vec3 matter, vec3 n, vec3 v)
     vec3 mirrored = sky(world_from_view(reflect(-v, n)), environment_lod(matter.y, sky_top_lod()));
     vec3 around = sky_irradiance(world_from_view(n)) * inverse_pi;
     // What the dielectric's lobe reflects of a uniform sky does not reach the ground below it.
-    float entering = (1.0 - saturated(matter.z)) * (1.0 - (surface.dielectric_f0 * reflects.x + reflects.y));
+    float entering =
+        (1.0 - saturated(matter.z)) * saturated(1.0 - (surface.dielectric_f0 * reflects.x + reflects.y));
     return mirrored * (surface.f0 * reflects.x + reflects.y) + around * saturated(base) * entering;
 }
 

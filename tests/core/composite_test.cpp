@@ -148,7 +148,7 @@ TEST_CASE("a composite hands a scene and its sky inwards", "[core][composite]")
     CHECK(imports == std::set<std::string>{"scene.sky", "scene.atlas_albedo", "scene.atlas_material", "scene.atlas_emissive"});
     const Graph wrong = built(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
   "all": { "pass": "whole", "inputs": { "world": "photo" } } }, "outputs": { "color": "all" } })", library);
-    CHECK(codes_of(compile(wrong)) == "over_mismatch 2:20\nover_mismatch 2:20\n"); // as scene, and as sky
+    CHECK(codes_of(compile(wrong)) == "over_mismatch 2:50\nover_mismatch 2:50\n"); // as scene, and as sky
 }
 
 TEST_CASE("wrong uses of a composite are located in the file that uses it", "[core][composite]")
@@ -241,16 +241,13 @@ TEST_CASE("an optional input of a composite may stay unwired, and its readers do
 
 TEST_CASE("a live parameter inside a composite is known by the composite's own name", "[core][composite]")
 {
-    const PassLibrary library = library_with({kTwice});
-    const auto places = [](const Plan& plan) {
-        std::set<std::string> names;
-        for (const Plan::Step& step : plan.steps)
-            for (const Plan::Uniform& uniform : step.uniforms)
-                names.insert(uniform.place);
-        return names;
-    };
-    CHECK(places(planned(built(glow_graph(""), library))) == std::set<std::string>{"glow.sigma"});
-    const Graph nested = built(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
-  "soft": { "pass": "blur_twice", "inputs": { "image": "photo" } } }, "outputs": { "color": "soft" } })", library);
-    CHECK(places(planned(nested)) == std::set<std::string>{"soft.size"});
+    const PassLibrary library = library_with({R"({ "passgraph": 1, "pass": "lifted", "inputs": { "image": "radiance" }, "passes": {
+  "inner": { "pass": "bright", "inputs": { "image": "image" } } },
+  "params": { "level": "inner.threshold" }, "outputs": { "color": "inner" } })"});
+    const Plan plan = planned(built(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
+  "all": { "pass": "lifted", "inputs": { "image": "photo" } } }, "outputs": { "color": "all" } })", library));
+    std::set<std::string> names;
+    for (const Plan::Uniform& uniform : plan.steps.front().uniforms)
+        names.insert(uniform.place);
+    CHECK(names == std::set<std::string>{"all.level", "all.inner.knee"});
 }

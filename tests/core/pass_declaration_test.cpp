@@ -54,8 +54,7 @@ TEST_CASE("long forms say everything about ports and parameters", "[core][pass]"
   "params": { "k": { "type": "float", "default": 1, "range": [0.5, 8], "step": 0.5, "unit": "m", "label": "L", "group": "G",
                      "visible_if": "on", "scale": "log", "static": true },
               "tint": { "type": "color", "default": [0.1, 0.2, 0.3] },
-              "mode": { "type": "enum", "items": ["a", "b"], "default": "b" } },
-  "identity": { "when": "k == 1.0", "is": "image" }
+              "mode": { "type": "enum", "items": ["a", "b"], "default": "b" } }
 }*/)");
     CHECK(pass.reads.camera);
     CHECK(pass.reads.lights);
@@ -80,8 +79,6 @@ TEST_CASE("long forms say everything about ports and parameters", "[core][pass]"
     CHECK(pass.params[1].lowest == 0.0); // colors are reflectances unless a range says otherwise
     CHECK(pass.params[1].highest == 1.0);
     CHECK(pass.params[2].default_value == Value(1));
-    CHECK(pass.identity_when == "k == 1.0");
-    CHECK(pass.identity_is == "image");
     CHECK(pass.find_input("sky") == 1);
     CHECK(pass.find_param("mode") == 2);
     CHECK(pass.find_output("none") == -1);

@@ -105,7 +105,7 @@ TEST_CASE("damaged pass files are read or refused", "[damage][pass]")
 {
     Random random(13);
     int whole = 0;
-    for (const char* pass : {"bloom/bright", "blur/blur_direction", "lighting/pbr", "geometry/gbuffer", "screen/vignette"}) {
+    for (const char* pass : {"bloom/bright", "blur/blur_direction", "lighting/pbr_surface", "geometry/gbuffer", "screen/vignette"}) {
         const std::string text = text_of(kRoot + "/passes/" + pass + ".glsl");
         for (int i = 0; i < 150; ++i) {
             const std::string worse = damaged(text, random);

@@ -94,12 +94,8 @@ bool runs_alike(const Plan& a, const Plan& b)
     const auto same_import = [](const Plan::Import& x, const Plan::Import& y) {
         return x.kind == y.kind && x.name == y.name && x.signal == y.signal && x.extent == y.extent;
     };
-    const auto same_place = [](const Plan::Output::Place& x, const Plan::Output::Place& y) {
-        return x.index == y.index && x.channels == y.channels;
-    };
     const auto same_output = [&](const Plan::Output& x, const Plan::Output& y) {
-        return x.name == y.name && x.source == y.source && x.signal == y.signal && x.codec == y.codec &&
-               std::equal(x.places.begin(), x.places.end(), y.places.begin(), y.places.end(), same_place);
+        return x.name == y.name && x.source == y.source && x.signal == y.signal && x.codec == y.codec && x.index == y.index;
     };
     return a.extent == b.extent && std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end(), same_slot) &&
            std::equal(a.imports.begin(), a.imports.end(), b.imports.begin(), b.imports.end(), same_import) &&
