@@ -51,6 +51,15 @@ PassArguments::Setting setting_of(const std::string& name, const std::string& te
 }
 
 /// The passes of a run's own wires: each input a picture or cube, each output named.
+/// The codec that stores values as they are, in binary32; depth in a color of its own.
+std::string exact_codec(Signal signal)
+{
+    for (const char* codec : {"rgba32f", "rg32f", "r32f"})
+        if (find_codec(signal, codec))
+            return codec;
+    return codec_names(signal).back();
+}
+
 Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclaration& pass)
 {
     Graph graph(library);
@@ -71,7 +80,7 @@ Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclar
         arguments.codecs.push_back(
             {port.name,
              {},
-             codec_names(port.signal).back(), // binary32 is the last of each
+             exact_codec(port.signal),
              {}});
     const AddedPass added = graph.add(run.pass, std::move(arguments));
     for (const OutputPort& port : pass.outputs)

@@ -76,7 +76,7 @@ TEST_CASE("a click tells every image's values at that pixel", "[view][window]")
     CHECK(r == Approx(static_cast<double>(picture.at(120, 80, 0))).margin(1.01 / 255.0));
     CHECK(g == Approx(static_cast<double>(picture.at(120, 80, 1))).margin(1.01 / 255.0));
     CHECK(b == Approx(static_cast<double>(picture.at(120, 80, 2))).margin(1.01 / 255.0));
-    for (const char* image : {"surface.albedo", "surface.normal", "surface.depth", "lit", "glow.horizontal", "film"})
+    for (const char* image : {"surface.albedo", "surface.normal", "surface.depth", "lit.surface", "glow.horizontal", "film"})
         desk.wait_for_line(fmt::format("{} ", image));
 }
 
