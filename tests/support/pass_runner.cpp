@@ -74,6 +74,9 @@ Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclar
     for (const auto& [name, faces] : run.cubes)
         arguments.inputs.push_back(
             {name, graph.cube(name, pass.inputs[static_cast<size_t>(pass.find_input(name))].signal)});
+    for (const InputPort& port : pass.inputs)
+        if (port.over == Over::scene)
+            arguments.inputs.push_back({port.name, graph.scene().elements});
     for (const auto& [name, text] : run.settings)
         arguments.settings.push_back(setting_of(name, text));
     for (const OutputPort& port : pass.outputs)
