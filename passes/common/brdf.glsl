@@ -67,9 +67,9 @@ float visibility_of(Terms terms, float n_dot_l, float n_dot_v, float n_dot_h, fl
 /// D of a half vector of any length; `per_length` is 1 / |h|.
 float density_of(Terms terms, vec3 n, vec3 h, float n_dot_h, float length_squared, float per_length, float alpha_squared)
 {
-    if (terms.facets == distribution_of_ggx && terms.form != form_lagrange) {
+    if (terms.facets == distribution_of_ggx && terms.form != lagrange_form) {
         float cosine = n_dot_h * per_length;
-        if (terms.form == form_textbook)
+        if (terms.form == textbook_form)
             return ggx_textbook(cosine, alpha_squared);
         return ggx_distribution(cosine * cosine, (1.0 - cosine) * (1.0 + cosine), 1.0, alpha_squared);
     }

@@ -4,9 +4,9 @@
 const float inverse_pi = 0.318309886183790672;
 
 // How GGX is evaluated: the rungs of a ladder, in its order.
-const int form_textbook = 0;
-const int form_difference_of_squares = 1;
-const int form_lagrange = 2;
+const int textbook_form = 0;
+const int difference_of_squares_form = 1;
+const int lagrange_form = 2;
 
 /// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", eq. 33, as textbooks print it.
 /// 1 - cos^2, hidden in the bracket, cancels: a rounding of the cosine is magnified by up to 4 / alpha^2, which is 2 % of D

@@ -1,15 +1,15 @@
 // How much of light a smooth boundary reflects, by the cosine of the angle of incidence.
 
 // How the weight of Schlick's edge is raised to the fifth power: the rungs of a ladder, in its order.
-const int power_pow = 0;
-const int power_multiplications = 1;
+const int power_by_pow = 0;
+const int power_by_multiplications = 1;
 
 /// (1 - cosine)^5, Schlick's blend towards white at grazing angles, 0 for a cosine that rounds above 1.
 /// pow is 31 ulp off on llvmpipe and undefined for a negative base; three multiplications are 2 ulp off and quicker.
 float fresnel_weight(float cosine, int power)
 {
     float x = 1.0 - cosine;
-    if (power == power_pow)
+    if (power == power_by_pow)
         return x > 0.0 ? pow(x, 5.0) : 0.0;
     float x2 = x * x;
     return x2 * x2 * x;

@@ -2,8 +2,8 @@
 // needs and which has no 0 / 0 at grazing angles. Cosines are of directions above the surface.
 
 // How Beckmann's masking is evaluated: the rungs of a ladder, in its order.
-const int masking_rational = 0;
-const int masking_erf = 1;
+const int masking_by_rational = 0;
+const int masking_by_erf = 1;
 
 /// Walter et al. 2007, eq. 34, as n.x Lambda(x) of G1 = 1 / (1 + Lambda): what facets hide of a direction's cosine.
 float ggx_hidden(float cosine, float alpha_squared)
@@ -20,7 +20,7 @@ float beckmann_hidden(float cosine, float alpha_squared, int masking)
     float slope = sqrt(alpha_squared * sine_squared); // alpha sin; 0 hides nothing, below
     float a = cosine / slope;
     float hidden;
-    if (masking == masking_rational) {
+    if (masking == masking_by_rational) {
         hidden = a < 1.6 ? slope * (1.0 + a * (0.396 * a - 1.259)) / (3.535 + 2.181 * a) : 0.0;
     } else {
         float t = 1.0 / (1.0 + 0.3275911 * a);

@@ -19,7 +19,7 @@
 
 vec2 split_sum(vec2 uv)
 {
-    Terms terms = Terms(distribution, fresnel_of_schlick, geometry, form_lagrange, fresnel_power, beckmann_masking);
+    Terms terms = Terms(distribution, fresnel_of_schlick, geometry, lagrange_form, fresnel_power, beckmann_masking);
     vec2 surface = reflectance_surface(uv, vec2(64.0));
     return environment_reflectance(surface.x, surface.y, terms);
 }

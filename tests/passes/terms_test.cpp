@@ -112,8 +112,8 @@ TEST_CASE("each distribution is the table's, also as textbooks write it", "[pass
 TEST_CASE("each Fresnel term is the table's, with either power", "[passes][brdf][terms]")
 {
     const Table table = read_table("brdf_terms.csv");
-    check_column(table, "fresnel_schlick(f0, fresnel_weight(VoH, power_multiplications))", "F_schlick", kTerm);
-    check_column(table, "fresnel_schlick(f0, fresnel_weight(VoH, power_pow))", "F_schlick", kTerm);
+    check_column(table, "fresnel_schlick(f0, fresnel_weight(VoH, power_by_multiplications))", "F_schlick", kTerm);
+    check_column(table, "fresnel_schlick(f0, fresnel_weight(VoH, power_by_pow))", "F_schlick", kTerm);
     check_column(table, "fresnel_exact(f0, VoH)", "F_exact", kTerm);
 }
 
