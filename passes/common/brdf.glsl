@@ -64,11 +64,11 @@ float visibility_of(Terms terms, float n_dot_l, float n_dot_v, float n_dot_h, fl
     return implicit_visibility();
 }
 
-/// D of a half vector of any length; `per_length` is 1 / |h|.
-float density_of(Terms terms, vec3 n, vec3 h, float n_dot_h, float length_squared, float per_length, float alpha_squared)
+/// D of a half vector of any length.
+float density_of(Terms terms, vec3 n, vec3 h, float n_dot_h, float length_squared, float alpha_squared)
 {
     if (terms.facets == distribution_of_ggx && terms.form != lagrange_form) {
-        float cosine = n_dot_h * per_length;
+        float cosine = length_squared > 0.0 ? n_dot_h * inversesqrt(length_squared) : 0.0;
         if (terms.form == textbook_form)
             return ggx_textbook(cosine, alpha_squared);
         return ggx_distribution(cosine * cosine, (1.0 - cosine) * (1.0 + cosine), 1.0, alpha_squared);
@@ -81,8 +81,8 @@ float density_of(Terms terms, vec3 n, vec3 h, float n_dot_h, float length_square
     return ggx_distribution(cos_squared, sin_squared, length_squared, alpha_squared);
 }
 
-/// A surface from the G-buffer's values, `material` being specular, roughness, metallic; what is outside [0, 1] or not a
-/// number is brought inside.
+/// A surface from the G-buffer's values, `material` being specular, roughness, metallic; what is outside [0, 1] or not a number
+/// is brought inside.
 /// A normal turned away from the viewer, which interpolation makes at silhouettes, is lit as if seen edge-on, so that
 /// nothing jumps where n.v changes sign; 1e-4 as in Filament's clampNoV.
 /// glTF 2.0 and KHR_materials_specular: dielectrics reflect 0.08 * specular at normal incidence, metals their albedo.
@@ -94,7 +94,7 @@ Surface make_surface(vec3 albedo, vec3 material, float n_dot_v, Terms terms)
     float alpha = roughness * roughness;
     Surface surface;
     surface.dielectric_f0 = 0.08 * saturated(material.x);
-    surface.n_dot_v = n_dot_v > 1e-4 ? min(n_dot_v, 1.0) : 1e-4;
+    surface.n_dot_v = n_dot_v > 1e-4 ? n_dot_v : 1e-4;
     surface.alpha_squared = alpha * alpha;
     surface.v_hidden = hidden_of(terms, surface.n_dot_v, surface.alpha_squared);
     surface.metallic = metallic;
@@ -136,13 +136,13 @@ vec3 reflected(Surface surface, vec3 n, vec3 v, vec3 l, Terms terms)
 {
     vec3 h = v + l;
     float n_dot_l = dot(n, l);
-    n_dot_l = n_dot_l > 0.0 ? min(n_dot_l, 1.0) : 0.0;
+    n_dot_l = n_dot_l > 0.0 ? n_dot_l : 0.0; // may round above 1, which every term bears
     float n_dot_h = dot(n, h);
     float h_squared = dot(h, h);
-    float per_h = h_squared > 0.0 ? inversesqrt(h_squared) : 0.0;
-    float v_dot_h = 0.5 * h_squared * per_h;
-    float lobe = density_of(terms, n, h, n_dot_h, h_squared, per_h, surface.alpha_squared) *
-                 visibility_of(terms, n_dot_l, surface.n_dot_v, n_dot_h * per_h, v_dot_h,
+    float v_dot_h = 0.5 * sqrt(h_squared);
+    float n_dot_unit_h = h_squared > 0.0 ? n_dot_h * inversesqrt(h_squared) : 0.0;
+    float lobe = density_of(terms, n, h, n_dot_h, h_squared, surface.alpha_squared) *
+                 visibility_of(terms, n_dot_l, surface.n_dot_v, n_dot_unit_h, v_dot_h,
                                hidden_of(terms, n_dot_l, surface.alpha_squared), surface.v_hidden);
     return (fresnel_of(surface, v_dot_h, terms) * lobe + diffuse_of(surface, n_dot_l, terms)) * n_dot_l;
 }

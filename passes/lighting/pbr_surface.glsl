@@ -61,7 +61,7 @@ vec3 lit_by_sky(Surface surface, vec3 base, vec3 matter, vec3 n, vec3 v)
 {
     float roughness = max(saturated(matter.y), smallest_roughness);
     vec2 reflects = share(reflectance_place(surface.n_dot_v, roughness, vec2(share_size())));
-    vec3 mirrored = sky(world_from_view(reflect(-v, n)), environment_lod(matter.y, sky_top_lod()));
+    vec3 mirrored = sky(world_from_view(2.0 * dot(n, v) * n - v), environment_lod(matter.y, sky_top_lod()));
     vec3 around = sky_irradiance(world_from_view(n)) * inverse_pi;
     // What the dielectric's lobe reflects of a uniform sky does not reach the ground below it.
     float entering =

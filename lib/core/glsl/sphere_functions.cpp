@@ -22,7 +22,7 @@ vec3 passgraph_irradiance(vec3 c[9], vec3 d)
 {
     vec3 e = c[0] + c[1] * d.y + c[2] * d.z + c[3] * d.x + c[4] * (d.x * d.y) + c[5] * (d.y * d.z) +
              c[6] * (d.z * d.z) + c[7] * (d.x * d.z) + c[8] * (d.x * d.x - d.y * d.y);
-    return vec3(e.x > 0.0 ? e.x : 0.0, e.y > 0.0 ? e.y : 0.0, e.z > 0.0 ? e.z : 0.0);
+    return max(e, vec3(0.0));
 }
 )";
 }
