@@ -29,7 +29,8 @@
   "contract": {
     "range": { "radiance": [0, "saturated"] },
     "non_finite": { "contained": 0, "anywhere": ["share"] },
-    "laws": ["black", "monotone", "mirror"]
+    // not "mirror": `share` is a table, and means something else turned around
+    "laws": ["black", "monotone"]
   },
   "source": "Walter et al. 2007 (GGX), Heitz 2014 (Smith), Schlick 1994 (Fresnel), Karis 2013 (environment)"
 }*/
