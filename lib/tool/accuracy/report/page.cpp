@@ -34,6 +34,7 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; font-variant-
 th, td { padding: 6px 10px; text-align: right; border-bottom: 1px solid var(--line); vertical-align: top; white-space: nowrap; }
 thead th { color: var(--faint); font-weight: 600; font-size: 12.5px; border-bottom: 2px solid var(--line); white-space: normal; vertical-align: bottom; }
 tbody th, thead th:first-child, .left { text-align: left; font-weight: 400; }
+.whole { white-space: nowrap; }
 td.choice { text-align: left; }
 td.left { white-space: normal; min-width: 150px; color: var(--faint); }
 .what { display: block; color: var(--faint); font-size: 12px; white-space: normal; max-width: 260px; }
