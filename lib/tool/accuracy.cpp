@@ -107,6 +107,7 @@ Result<accuracy::Ladders> ladders_for(const AccuracyOptions& options, PassLibrar
 
 Result<void> measure_accuracy(const AccuracyOptions& options)
 {
+    const InterruptWatch watch; // from the start, so that a Ctrl-C at any time leaves a report
     const auto start = std::chrono::steady_clock::now();
     Result<PassLibrary> library = load_library(options.library);
     if (!library)
@@ -129,7 +130,6 @@ Result<void> measure_accuracy(const AccuracyOptions& options)
         list.push_back(ladder.get());
     Result<accuracy::Measurements> measurements;
     {
-        const InterruptWatch watch;
         Progress progress("measuring");
         measurements = accuracy::run_ladders(list, run, *probed, (*context)->loader(), [&](const accuracy::Moment& moment) { return show(progress, moment); });
     }

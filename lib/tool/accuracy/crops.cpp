@@ -66,19 +66,24 @@ struct Range {
     double highest = 1.0;
 };
 
+/// From the least to the greatest positive size in the part; of radiance to all but the brightest fiftieth, so that a spark
+/// does not leave the rest black.
 Range range_of(const Ladder& ladder, const Truth& truth, const Part& part)
 {
-    Range range{1e300, 1e-300};
+    std::vector<double> sizes;
     for (int y = 0; y < part.extent.height; ++y)
         for (int x = 0; x < part.extent.width; ++x)
             for (int c = 0; c < truth.components; ++c) {
-                const double value = truth.at(part.x + x, part.y + y)[c];
-                const double size = ladder.shown == Shown::distance ? -truth.at(part.x + x, part.y + y)[2] : value;
-                range.lowest = size > 0.0 ? std::min(range.lowest, size) : range.lowest;
-                range.highest = std::max(range.highest, size);
+                const double* texel = truth.at(part.x + x, part.y + y);
+                if (const double size = ladder.shown == Shown::distance ? -texel[2] : texel[c]; size > 0.0)
+                    sizes.push_back(size);
             }
-    range.lowest = std::max(range.lowest, 1e-6 * range.highest);
-    return range;
+    if (sizes.empty())
+        return {};
+    std::sort(sizes.begin(), sizes.end());
+    const double share = ladder.shown == Shown::radiance ? 0.98 : 1.0;
+    const double highest = sizes[static_cast<size_t>(share * static_cast<double>(sizes.size() - 1))];
+    return {std::max(sizes.front(), 1e-6 * highest), highest};
 }
 
 template <class Value>

@@ -94,19 +94,34 @@ private:
         drawing_.shapes.push_back(TextShape{x, y, what, ink, size, anchor, is_bold});
     }
 
+    /// Round times: 1, 2 and 5 of each decade; over less than a decade evenly apart, about six.
+    std::vector<double> time_ticks() const
+    {
+        std::vector<double> ticks;
+        const double low = std::pow(10.0, time_.low);
+        const double high = std::pow(10.0, time_.high);
+        if (time_.high - time_.low < 0.9) {
+            const double power = std::pow(10.0, std::floor(std::log10((high - low) / 6.0)));
+            const double share = (high - low) / 6.0 / power;
+            const double step = power * (share < 1.5 ? 1.0 : share < 3.5 ? 2.0 : share < 7.5 ? 5.0 : 10.0);
+            for (int i = static_cast<int>(std::ceil(low / step)); i * step <= high; ++i)
+                ticks.push_back(i * step);
+            return ticks;
+        }
+        for (int decade = static_cast<int>(std::floor(time_.low)); decade <= std::ceil(time_.high); ++decade)
+            for (const double first : {1.0, 2.0, 5.0})
+                if (const double ms = first * std::pow(10.0, decade); ms >= low && ms <= high)
+                    ticks.push_back(ms);
+        return ticks;
+    }
+
     void draw_axes()
     {
-        for (int decade = static_cast<int>(std::floor(time_.low)); decade <= std::ceil(time_.high); ++decade)
-            for (int step = 1; step <= 9; ++step) {
-                const double ms = step * std::pow(10.0, decade);
-                if (std::log10(ms) < time_.low || std::log10(ms) > time_.high)
-                    continue;
-                const double x = time_.at(ms);
-                line(x, kTop, x, kBottom, kGrid, step == 1 ? 1.4 : 0.8);
-                const bool is_narrow = time_.high - time_.low < 0.9;
-                if (step == 1 || step == 2 || step == 5 || (is_narrow && step != 7 && step != 9))
-                    text(x, kBottom + 18.0, fmt::format("{:g}", ms), kAxis, 11.5, TextShape::Anchor::middle);
-            }
+        for (const double ms : time_ticks()) {
+            const double x = time_.at(ms);
+            line(x, kTop, x, kBottom, kGrid, 1.0);
+            text(x, kBottom + 18.0, fmt::format("{:g}", ms), kAxis, 11.5, TextShape::Anchor::middle);
+        }
         const int low = static_cast<int>(error_.low);
         const int high = static_cast<int>(error_.high);
         for (int decade = low; decade <= high; ++decade) {
@@ -195,7 +210,7 @@ private:
             {right, y - 0.5 * height},         {left, y - 0.5 * height},           {middle, y - height - 9.0},  {middle, y + 9.0},
             {right - 8.0, y - height - 4.0},   {right - 8.0, y + 4.0},             {left + 8.0, y - height - 4.0}, {left + 8.0, y + 4.0},
             {middle, y - 2.0 * height - 12.0}, {middle, y + height + 12.0},        {right, y - 1.6 * height},   {right, y + 0.8 * height},
-            {left, y - 1.6 * height},          {left, y + 0.8 * height}};
+            {left, y - 1.6 * height},          {left, y + 0.8 * height},           {kWidth - 4.0 - width, y - height - 9.0}, {kWidth - 4.0 - width, y + 9.0}};
         Box chosen{};
         double least = 1e300;
         for (const auto& [corner_x, corner_y] : corners) {

@@ -27,7 +27,7 @@ const MeasuredRung& cheapest(const MeasuredLadder& ladder)
 
 std::string rung_phrase(const MeasuredLadder& ladder, const MeasuredRung& rung)
 {
-    return fmt::format("<code>{}</code> ({}&nbsp;ms, error {})", rung.rung.name, ms_text(rung.ms.median), error_text(ladder.ladder->metric, rung.deviation.error));
+    return fmt::format("<code>{}</code> ({}&nbsp;ms, error <span class=\"whole\">{}</span>)", rung.rung.name, ms_text(rung.ms.median), error_text(ladder.ladder->metric, rung.deviation.error));
 }
 
 /// The rungs that the same other one beats, in a line each.

@@ -34,6 +34,8 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; font-variant-
 th, td { padding: 6px 10px; text-align: right; border-bottom: 1px solid var(--line); vertical-align: top; white-space: nowrap; }
 thead th { color: var(--faint); font-weight: 600; font-size: 12.5px; border-bottom: 2px solid var(--line); white-space: normal; vertical-align: bottom; }
 tbody th, thead th:first-child, .left { text-align: left; font-weight: 400; }
+.whole { white-space: nowrap; }
+td.choice { text-align: left; }
 td.left { white-space: normal; min-width: 150px; color: var(--faint); }
 .what { display: block; color: var(--faint); font-size: 12px; white-space: normal; max-width: 260px; }
 code { font: 0.92em ui-monospace, "SF Mono", Menlo, "DejaVu Sans Mono", monospace; }
@@ -65,10 +67,10 @@ constexpr double kBudgets[] = {1.0, 2.0, 5.0, 10.0, 20.0};
 std::string budget_cell(const MeasuredLadder& ladder, const MeasuredRung* rung, const MeasuredRung* before)
 {
     if (!rung)
-        return "<td class=\"faint\">&ndash;</td>";
+        return "<td class=\"choice faint\">&ndash;</td>";
     if (rung == before)
-        return "<td class=\"faint\">the same</td>";
-    return fmt::format("<td><code>{}</code><span class=\"what\">error {}</span></td>", rung->rung.name, error_text(ladder.ladder->metric, rung->deviation.error));
+        return "<td class=\"choice faint\">the same</td>";
+    return fmt::format("<td class=\"choice\"><code>{}</code><span class=\"what\">error {}</span></td>", rung->rung.name, error_text(ladder.ladder->metric, rung->deviation.error));
 }
 
 std::string navigation(const Measurements& measurements)
@@ -109,11 +111,10 @@ std::string budgets_html(const Measurements& measurements)
         const MeasuredRung* before = nullptr;
         for (const double budget : kBudgets) {
             const MeasuredRung* best = best_within(ladder, budget);
-            std::string cell = budget_cell(ladder, best, before);
-            rows += cell.replace(0, 3, "<td style=\"text-align:left\"");
+            rows += budget_cell(ladder, best, before);
             before = best;
         }
-        rows += fmt::format("<td style=\"text-align:left\"><code>{}</code><span class=\"what\">{:.3g} ms, error {}</span></td></tr>\n", used.rung.name, used.ms.median,
+        rows += fmt::format("<td class=\"choice\"><code>{}</code><span class=\"what\">{:.3g} ms, error {}</span></td></tr>\n", used.rung.name, used.ms.median,
                             error_text(ladder.ladder->metric, used.deviation.error));
     }
     return fmt::format("<section id=\"budgets\"><h2>Which rung for how many milliseconds?</h2><p>The most exact rung that stays within a budget, by the upper end of its interval, "
