@@ -46,13 +46,14 @@ float smith_separable_visibility(float n_dot_l, float n_dot_v, float l_hidden, f
 
 /// Cook and Torrance 1982, section "Geometrical attenuation": G = min(1, 2 n.h n.v / v.h, 2 n.h n.l / v.h), V-shaped grooves.
 /// The smaller of the two holds the smaller cosine, so V divides by the larger one, and by v.h only where that is not 0.
+/// n.h is negative where an interpolated normal turns away from the viewer: nothing comes from such grooves.
 float cook_torrance_visibility(float n_dot_l, float n_dot_v, float n_dot_h, float v_dot_h)
 {
     float most = max(n_dot_l, n_dot_v);
     float least = min(n_dot_l, n_dot_v);
     bool is_hidden = 2.0 * n_dot_h * least < v_dot_h;
     float area = is_hidden ? 2.0 * v_dot_h * most : 4.0 * least * most;
-    return area > 0.0 ? (is_hidden ? n_dot_h : 1.0) / area : 0.0;
+    return area > 0.0 ? (is_hidden ? (n_dot_h > 0.0 ? n_dot_h : 0.0) : 1.0) / area : 0.0;
 }
 
 /// Neumann et al. 1999, "Compact Metallic Reflectance Models": G = n.l n.v / max(n.l, n.v).
