@@ -187,7 +187,10 @@ private:
             Feed turned;
             for (const auto& [port, picture] : plain) {
                 const auto declared = static_cast<size_t>(subject_.pass->find_input(port));
-                turned[port] = subject_.pass->inputs[declared].over == Over::image ? mirrored(picture, axis) : picture;
+                const auto& tables = subject_.contract().anywhere; // what is looked up has no left and right of the picture's
+                const bool is_picture = subject_.pass->inputs[declared].over == Over::image &&
+                                        std::find(tables.begin(), tables.end(), port) == tables.end();
+                turned[port] = is_picture ? mirrored(picture, axis) : picture;
             }
             const auto before = draw(plain);
             const auto after = draw(turned);

@@ -64,6 +64,24 @@ void store_in_binary32(Plan& plan)
             output.codec = {"rgba32f", Format::rgba32f, Packing::plain};
 }
 
+/// A step that reads no image is a function of a place alone, which fewer places sample as well: a table of 64 x 64, each
+/// texel an integral, would cost more than all else.
+void sample_coarsely(Plan& plan)
+{
+    constexpr Extent kMost{17, 13};
+    for (Plan::Step& step : plan.steps) {
+        if (!step.reads.empty() || step.kind != Plan::Step::Kind::draw || step.extent.width * step.extent.height <= kMost.width * kMost.height)
+            continue;
+        step.extent = kMost;
+        for (const Plan::Target& target : step.targets) {
+            plan.slots[static_cast<size_t>(target.slot)].extent = kMost;
+            for (Plan::Output& output : plan.outputs)
+                if (output.source == Plan::Read::Source::slot && output.index == target.slot)
+                    output.extent = kMost;
+        }
+    }
+}
+
 } // namespace
 
 std::string to_text(const Settings& settings)
@@ -92,6 +110,7 @@ Result<Plan> plan_of(const PassLibrary& library, const PassPtr& pass, const Stag
     compiling.extent = options.extent;
     for (const InputPort& port : pass->inputs)
         compiling.picture_extents[port.name] = extent_of(port, options);
+    compiling.alias = false; // each image has an extent of its own
     compiling.specialise = options.takes_codecs_of_layout; // a pass that is left out shows nothing
     compiling.guards = options.is_guarded;
     compiling.import_guards = options.is_guarded;
@@ -100,6 +119,7 @@ Result<Plan> plan_of(const PassLibrary& library, const PassPtr& pass, const Stag
         return plan;
     if (!options.takes_codecs_of_layout)
         store_in_binary32(*plan);
+    sample_coarsely(*plan);
     if (!options.hostile.empty())
         for (Plan::Step& step : plan->steps) {
             step.fragment = with_hostile(step.fragment, options.hostile, options.forgiving);

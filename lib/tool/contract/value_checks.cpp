@@ -38,7 +38,7 @@ public:
         if (!stage)
             return;
         for (const Scene* scene : scenes()) {
-            for (const Filling filling : {Filling::random, Filling::random, Filling::edges, Filling::edges, Filling::lowest, Filling::highest, Filling::alike}) {
+            for (const Filling filling : fillings()) {
                 const Feed feed = fill(filling);
                 if (const auto outputs = run_stage(subject_, *stage, feed, scene, options_)) {
                     judge_finite(*outputs, feed, scene, std::string(name(filling)));
@@ -55,6 +55,13 @@ public:
     }
 
 private:
+    std::vector<Filling> fillings() const
+    {
+        if (subject_.pass->inputs.empty())
+            return {Filling::random}; // nothing to be filled
+        return {Filling::random, Filling::random, Filling::edges, Filling::edges, Filling::lowest, Filling::highest, Filling::alike};
+    }
+
     const std::vector<const Scene*>& scenes() const { return scenes_for(*subject_.pass); }
 
     Signal signal(Signal declared) const { return signal_of(declared, options_); }
@@ -299,14 +306,21 @@ void check_layouts(const Subject& subject)
 
 void check_values(const Subject& subject)
 {
-    const std::vector<Extent> extents = {{17, 13}, {1, 1}, {1, 9}, {9, 1}};
+    // What has no input has its extent from its header alone; a composite's passes are tested on their own besides.
+    const bool is_plain = !subject.pass->composite && !subject.pass->inputs.empty();
+    const std::vector<Extent> all = {{17, 13}, {1, 1}, {1, 9}, {9, 1}};
+    const std::vector<Extent> usual = {all.front()};
+    const auto run = [&](const Settings& settings, Signal generic, const std::vector<Extent>& extents, bool with_injections) {
+        for (const Extent extent : extents)
+            ValueChecks(subject, {.settings = settings, .generic = generic, .extent = extent}).run(with_injections && extent != all[1]);
+    };
     for (const Signal generic : generic_signals(*subject.pass)) {
-        for (const Settings& settings : selection_variants(*subject.pass))
-            for (const Extent extent : extents)
-                ValueChecks(subject, {.settings = settings, .generic = generic, .extent = extent}).run(true);
+        for (const Settings& settings : selection_variants(*subject.pass)) {
+            const bool is_default = settings.empty();
+            run(settings, generic, is_plain || (is_default && subject.pass->composite) ? all : usual, is_plain || is_default);
+        }
         for (const Settings& settings : parameter_variants(*subject.pass))
-            for (const Extent extent : {extents[0], extents[1]})
-                ValueChecks(subject, {.settings = settings, .generic = generic, .extent = extent}).run(extent == extents[0]);
+            run(settings, generic, is_plain ? std::vector<Extent>{all[0], all[1]} : usual, is_plain);
     }
     check_layouts(subject);
 }
