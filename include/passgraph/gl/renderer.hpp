@@ -104,7 +104,8 @@ public:
     /// Errors   shader_failed (with the pass file's own line), framebuffer_incomplete, texture_units_exceeded, gl_error.
     /// Cost     one program: 40 to 180 ms on llvmpipe when it is new, else below 1 ms.
     Result<void> advance(PreparedPlan& prepared);
-    /// Runs the prepared plan from the next frame on, and hands back the one before, as ready as it was.
+    /// Runs the prepared plan from the next frame on, and hands back the one before, as ready as it was. Images that both
+    /// plans would draw alike are handed over with their textures: only what differs is drawn.
     void exchange(PreparedPlan& prepared);
 
     /// Uploads meshes, materials, lights and sky. The scene must outlive the renderer or the next call.

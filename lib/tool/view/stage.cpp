@@ -175,6 +175,19 @@ Result<void> Stage::draw(const Frame& frame)
     return {};
 }
 
+Result<void> Stage::come_back(const Frame& frame)
+{
+    if (!shown_)
+        return {};
+    if (Result<void> drawn = renderer_.render(frame); !drawn)
+        return drawn;
+    Result<std::vector<StoredCodes>> codes = renderer_.codes(renderer_.plan().outputs.front().name);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    shown_->codes = std::move(*codes);
+    return {};
+}
+
 Result<void> Stage::show(Extent window)
 {
     return shown_ ? presenter_.show(*shown_, window) : presenter_.clear();

@@ -31,6 +31,8 @@ public:
     Result<void> draw(const Frame& frame);
     /// The output of the last frame drawn, to be shown.
     const std::optional<ShownImage>& shown() const { return shown_; }
+    /// Finds the output again after another plan ran in between; draws only what that one took away.
+    Result<void> come_back(const Frame& frame);
     Result<void> show(Extent window);
 
     const Plan& plan() const { return renderer_.plan(); }
