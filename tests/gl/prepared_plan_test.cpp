@@ -174,14 +174,15 @@ TEST_CASE("plans that change places at random always show their own picture", "[
         const int import = builder.import(Plan::Import::Kind::picture, "photo", Signal::radiance, kExtent);
         const int first = builder.slot(Format::rgba32f, "first");
         const int second = builder.slot(Format::rgba32f, "second");
+        const int third = which == 2 ? first : builder.slot(Format::rgba32f, "third"); // the last plan's slots are shared over time
         const std::string head = "layout(location = 0) out vec4 color;\n";
         Plan::Step& read = builder.draw("read", "uniform sampler2D photo;\nuniform float gain;\n" + head + "void main() { color = texture(photo, uv) * gain; }", {first});
         read.reads.push_back(read_import(import, "photo"));
         read.uniforms.push_back({.name = "gain", .place = "read.gain", .type = ParamType::float_, .value = Value(1.0), .lowest = 0.0, .highest = 9.0});
         Plan::Step& show = builder.draw("show", "uniform sampler2D first;\n" + head + "void main() { color = texture(first, uv) * " + std::to_string(which + 1) + ".0; }", {second});
         show.reads.push_back(read_slot(first, "first"));
-        builder.draw("last", "uniform sampler2D second;\n" + head + "void main() { color = texture(second, uv) + 1.0; }", {first}).reads.push_back(read_slot(second, "second"));
-        builder.output("color", first, Signal::radiance, "rgba32f");
+        builder.draw("last", "uniform sampler2D second;\n" + head + "void main() { color = texture(second, uv) + 1.0; }", {third}).reads.push_back(read_slot(second, "second"));
+        builder.output("color", third, Signal::radiance, "rgba32f");
         return builder.plan;
     };
     std::array<float, 3> gains = {1.0f, 1.0f, 1.0f};
