@@ -179,13 +179,15 @@ TEST_CASE("plans that change places at random always show their own picture", "[
         Plan::Step& read = builder.draw("read", "uniform sampler2D photo;\nuniform float gain;\n" + head + "void main() { color = texture(photo, uv) * gain; }", {first});
         read.reads.push_back(read_import(import, "photo"));
         read.uniforms.push_back({.name = "gain", .place = "read.gain", .type = ParamType::float_, .value = Value(1.0), .lowest = 0.0, .highest = 9.0});
-        Plan::Step& show = builder.draw("show", "uniform sampler2D first;\n" + head + "void main() { color = texture(first, uv) * " + std::to_string(which + 1) + ".0; }", {second});
+        Plan::Step& show = builder.draw("show", "uniform sampler2D first;\nuniform float share;\n" + head + "void main() { color = texture(first, uv) * share * " + std::to_string(which + 1) + ".0; }", {second});
+        show.uniforms.push_back({.name = "share", .place = "show.share", .type = ParamType::float_, .value = Value(1.0), .lowest = 0.0, .highest = 9.0});
         show.reads.push_back(read_slot(first, "first"));
         builder.draw("last", "uniform sampler2D second;\n" + head + "void main() { color = texture(second, uv) + 1.0; }", {third}).reads.push_back(read_slot(second, "second"));
         builder.output("color", third, Signal::radiance, "rgba32f");
         return builder.plan;
     };
     std::array<float, 3> gains = {1.0f, 1.0f, 1.0f};
+    std::array<float, 3> shares = {1.0f, 1.0f, 1.0f};
     float photo_value = 0.5f;
     Picture photo(kExtent, 3);
     std::fill(photo.texels.begin(), photo.texels.end(), photo_value);
@@ -197,7 +199,7 @@ TEST_CASE("plans that change places at random always show their own picture", "[
     std::array<size_t, 3> which = {0, 1, 2}; // the running one first, then the prepared ones
     std::minstd_rand random(7);
     for (int i = 0; i < 200; ++i) {
-        switch (random() % 4) {
+        switch (random() % 5) {
         case 0: {
             const size_t other = random() % 2;
             renderer.exchange(others[other]);
@@ -213,10 +215,14 @@ TEST_CASE("plans that change places at random always show their own picture", "[
             std::fill(photo.texels.begin(), photo.texels.end(), photo_value);
             require_ok(renderer.import_picture("photo", photo));
             break;
+        case 3:
+            shares[which[0]] = static_cast<float>(random() % 3 + 1);
+            require_ok(renderer.set("show.share", Value(static_cast<double>(shares[which[0]]))));
+            break;
         default: break;
         }
         CAPTURE(i);
-        CHECK(red(renderer) == photo_value * gains[which[0]] * static_cast<float>(which[0] + 1) + 1.0f);
+        CHECK(red(renderer) == photo_value * gains[which[0]] * shares[which[0]] * static_cast<float>(which[0] + 1) + 1.0f);
     }
 }
 
