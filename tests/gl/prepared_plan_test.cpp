@@ -167,6 +167,19 @@ TEST_CASE("after an edit only the steps that changed are drawn", "[gl][plan]")
     CHECK(draws() == 2);
 }
 
+TEST_CASE("a plan that gave its image away draws it again", "[gl][plan]")
+{
+    Renderer renderer = make_renderer(two_steps("vec4(0.25)"));
+    CHECK(red(renderer) == 0.25f);
+    PreparedPlan edited = prepared(renderer, two_steps("vec4(0.25)", "texture(first, uv) * gain * 2.0"));
+    renderer.exchange(edited);
+    CHECK(red(renderer) == 0.5f);
+    require_ok(renderer.replace(two_steps("vec4(0.75)"))); // the edited plan, and the image with it, are gone
+    renderer.exchange(edited);
+    require_ok(renderer.set("show.gain", Value(2.0)));
+    CHECK(red(renderer) == 0.5f);
+}
+
 TEST_CASE("plans that change places at random always show their own picture", "[gl][plan]")
 {
     const auto plan = [](int which) {
