@@ -80,6 +80,20 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// What is computed of a scene before it is uploaded: its texture atlas, and its sky filtered for rough surfaces.
+class SceneImages {
+public:
+    class Impl;
+    explicit SceneImages(std::unique_ptr<Impl> impl);
+    SceneImages(SceneImages&&) noexcept;
+    SceneImages& operator=(SceneImages&&) noexcept;
+    ~SceneImages();
+
+private:
+    friend class Renderer;
+    std::unique_ptr<Impl> impl_;
+};
+
 /// Executes a plan in the context that was current when it was created.
 ///
 /// No GL object is created after a plan's first frame, no state is set twice, and any GL error becomes an error value
@@ -110,6 +124,11 @@ public:
 
     /// Uploads meshes, materials, lights and sky. The scene must outlive the renderer or the next call.
     Result<void> set_scene(const Scene& scene);
+    /// The slower part of `set_scene`, which makes no GL call: it may run on another thread while frames are drawn.
+    /// Errors   those of `set_scene` but for gl_error and out_of_memory.
+    Result<SceneImages> images_of(const Scene& scene) const;
+    /// The rest of it. `images` are those of this scene.
+    Result<void> set_scene(const Scene& scene, SceneImages images);
     /// Uploads a picture as the import `name`; values are brought into the signal's domain first.
     /// Errors   unknown_import, import_extent (not the extent the plan was compiled for).
     Result<void> import_picture(std::string_view name, const Picture& picture);

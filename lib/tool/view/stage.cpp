@@ -127,9 +127,9 @@ float Stage::progress() const
     return static_cast<float>(coming_->steps_made()) / static_cast<float>(coming_->plan().steps.size());
 }
 
-Result<void> Stage::set_scene(std::shared_ptr<const Scene> scene)
+Result<void> Stage::set_scene(std::shared_ptr<const Scene> scene, SceneImages images)
 {
-    if (Result<void> set = renderer_.set_scene(*scene); !set)
+    if (Result<void> set = renderer_.set_scene(*scene, std::move(images)); !set)
         return set;
     scene_ = std::move(scene);
     return {};

@@ -25,7 +25,7 @@ public:
     /// The plan that runs may be drawn: there is one, and what it needs is there.
     bool is_ready() const { return has_plan_; }
 
-    Result<void> set_scene(std::shared_ptr<const Scene> scene);
+    Result<void> set_scene(std::shared_ptr<const Scene> scene, SceneImages images);
     bool has_scene() const { return scene_ != nullptr; }
 
     Result<void> draw(const Frame& frame);
