@@ -2,6 +2,7 @@
 #include "gl/freshness.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace passgraph::gl {
 namespace {
@@ -51,21 +52,72 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value)
     return hash ^ (hash >> 31);
 }
 
+namespace {
+
+std::uint64_t hash_of(std::string_view text)
+{
+    std::uint64_t hash = text.size();
+    for (const char c : text)
+        hash = mixed(hash, static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    return hash;
+}
+
+/// What a step draws, but for the images it reads and its live values.
+std::uint64_t content_of(const Plan& plan, const Plan::Step& step)
+{
+    std::uint64_t hash = static_cast<std::uint64_t>(step.kind);
+    const auto add = [&](auto value) { hash = mixed(hash, static_cast<std::uint64_t>(value)); };
+    for (const std::string* text : {&step.vertex, &step.fragment, &step.background})
+        add(hash_of(*text));
+    add(plan.extent.width); // the camera's picture
+    add(plan.extent.height);
+    for (const int slot : slots_of(step)) {
+        const Plan::Slot& row = plan.slots[static_cast<size_t>(slot)];
+        add(row.format);
+        add(row.extent.width);
+        add(row.extent.height);
+    }
+    for (const Plan::Read& read : step.reads) {
+        add(read.source);
+        add(read.filter);
+        add(read.wrap);
+        add(read.has_levels);
+        add(hash_of(read.sampler));
+        if (read.source == Plan::Read::Source::import)
+            add(hash_of(plan.imports[static_cast<size_t>(read.index)].name));
+    }
+    for (const Plan::Uniform& uniform : step.uniforms)
+        add(hash_of(uniform.name));
+    return hash;
+}
+
+/// The image in the `position`th of the slots that a step draws into.
+std::uint64_t image_of(std::uint64_t step, size_t position) { return mixed(step, position + 1); }
+
+/// Which of the slots of its producer a read means.
+size_t position_of(const Plan::Step& producer, int slot)
+{
+    const std::vector<int> slots = slots_of(producer);
+    return static_cast<size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+}
+
+} // namespace
+
 Freshness::Freshness(const Plan& plan) : held_(plan.slots.size(), 0), wanted_(plan.steps.size(), 0)
 {
     for (size_t i = 0; i < plan.steps.size(); ++i) {
+        content_.push_back(content_of(plan, plan.steps[i]));
         std::vector<int>& producers = producers_.emplace_back();
         for (const Plan::Read& read : plan.steps[i].reads)
             producers.push_back(read.source == Plan::Read::Source::slot ? producer_of(plan, read.index, i) : -1);
     }
 }
 
-std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, bool redraws)
+void Freshness::find_wanted(const Plan& plan, const Versions& versions)
 {
-    const size_t count = plan.steps.size();
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < plan.steps.size(); ++i) {
         const Plan::Step& step = plan.steps[i];
-        std::uint64_t& wanted = wanted_[i] = mixed(i + 1, versions.params[i]);
+        std::uint64_t& wanted = wanted_[i] = mixed(content_[i], versions.params[i]);
         if (step.host.camera || step.host.lights || step.host.elements)
             wanted = mixed(mixed(wanted, versions.camera), versions.scene);
         if (step.host.frame)
@@ -73,15 +125,24 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
         for (size_t r = 0; r < step.reads.size(); ++r) {
             const int producer = producers_[i][r];
             if (producer >= 0)
-                wanted = mixed(wanted, wanted_[static_cast<size_t>(producer)]);
+                wanted = mixed(wanted, image_of(wanted_[static_cast<size_t>(producer)],
+                                                position_of(plan.steps[static_cast<size_t>(producer)], step.reads[r].index)));
             else if (step.reads[r].source == Plan::Read::Source::import)
                 wanted = mixed(wanted, versions.imports[static_cast<size_t>(step.reads[r].index)]);
         }
     }
+}
+
+std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, bool redraws)
+{
+    const size_t count = plan.steps.size();
+    find_wanted(plan, versions);
     const auto holds_it = [&](size_t i) {
         const std::vector<int> slots = slots_of(plan.steps[i]);
-        return std::all_of(slots.begin(), slots.end(),
-                           [&](int slot) { return held_[static_cast<size_t>(slot)] == wanted_[i]; });
+        bool holds = true;
+        for (size_t k = 0; k < slots.size(); ++k)
+            holds = holds && held_[static_cast<size_t>(slots[k])] == image_of(wanted_[i], k);
+        return holds;
     };
     std::vector<bool> runs(count, false);
     for (size_t i = 0; redraws && i < count; ++i)
@@ -121,9 +182,29 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
 void Freshness::have_run(const Plan& plan, const std::vector<bool>& ran)
 {
     for (size_t i = 0; i < plan.steps.size(); ++i)
-        if (ran[i])
-            for (const int slot : slots_of(plan.steps[i]))
-                held_[static_cast<size_t>(slot)] = wanted_[i];
+        if (const std::vector<int> slots = slots_of(plan.steps[i]); ran[i])
+            for (size_t k = 0; k < slots.size(); ++k)
+                held_[static_cast<size_t>(slots[k])] = image_of(wanted_[i], k);
+}
+
+std::vector<Freshness::Carried> Freshness::carry_over(const Plan& plan, const Versions& versions, Freshness& from)
+{
+    std::vector<Carried> carried;
+    find_wanted(plan, versions);
+    for (size_t i = 0; i < plan.steps.size(); ++i) {
+        const std::vector<int> slots = slots_of(plan.steps[i]);
+        for (size_t k = 0; k < slots.size(); ++k) {
+            const std::uint64_t image = image_of(wanted_[i], k);
+            const auto to = static_cast<size_t>(slots[k]);
+            const auto found = std::find(from.held_.begin(), from.held_.end(), image);
+            if (found == from.held_.end() || held_[to] == image)
+                continue;
+            carried.push_back({static_cast<size_t>(found - from.held_.begin()), to});
+            held_[to] = image;
+            *found = 0;
+        }
+    }
+    return carried;
 }
 
 void Freshness::forget() { std::fill(held_.begin(), held_.end(), 0); }

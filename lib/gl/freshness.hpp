@@ -20,7 +20,8 @@ struct Versions {
     std::vector<std::uint64_t> params{};  ///< by step: of its live parameters' values
 };
 
-/// Remembers what each slot holds.
+/// Remembers what each slot holds, by a number made of everything that its texels depend on: the steps' texts and values,
+/// and what they read. Equal numbers are equal images, in another plan too.
 ///
 /// A step is asked for when an output's slot, or the slot that a running step reads, holds anything else than what the
 /// step would draw now; a producer whose image another running step overwrites is asked for again.  O(steps * reads).
@@ -38,9 +39,21 @@ public:
     /// Nothing is known of any slot.
     void forget();
 
+    /// A slot of another plan, and the slot here that would get the same image.
+    struct Carried {
+        size_t from = 0;
+        size_t to = 0;
+    };
+    /// The images of a plan that ran which this plan would draw again under these versions. They count as held here, and no
+    /// longer there: the textures are to change places.
+    std::vector<Carried> carry_over(const Plan& plan, const Versions& versions, Freshness& from);
+
 private:
-    std::vector<std::uint64_t> held_;        ///< by slot; 0: unknown
-    std::vector<std::uint64_t> wanted_;      ///< by step, of the last `stale`
+    void find_wanted(const Plan& plan, const Versions& versions);
+
+    std::vector<std::uint64_t> content_;      ///< by step: of its texts, extents and formats
+    std::vector<std::uint64_t> held_;         ///< by slot; 0: unknown
+    std::vector<std::uint64_t> wanted_;       ///< by step, of the last `stale`
     std::vector<std::vector<int>> producers_; ///< by step and read: the step that draws it, -1 for imports
 };
 

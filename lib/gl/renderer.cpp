@@ -28,10 +28,15 @@ Renderer::Impl::~Impl()
         driver_.gl.UseProgram(0);
 }
 
-Result<void> Renderer::Impl::set_scene(const Scene& scene)
+Result<SceneImages::Impl> Renderer::Impl::images_of(const Scene& scene) const
+{
+    return gl::make_scene_images(scene, driver_.limits);
+}
+
+Result<void> Renderer::Impl::set_scene(const Scene& scene, SceneImages::Impl images)
 {
     Call call(*this);
-    Result<gl::SceneBuffers> made = gl::create_scene_buffers(call.upload, samplers_, scene);
+    Result<gl::SceneBuffers> made = gl::create_scene_buffers(call.upload, samplers_, scene, std::move(images));
     if (!made)
         return tl::unexpected(std::move(made.error()));
     if (scene_buffers_)
@@ -264,7 +269,23 @@ Result<Renderer> Renderer::create(Plan plan, const RendererOptions& options)
 
 Result<void> Renderer::set_scene(const Scene& scene)
 {
-    return impl_->set_scene(scene);
+    Result<SceneImages> images = images_of(scene);
+    if (!images)
+        return tl::unexpected(std::move(images.error()));
+    return set_scene(scene, std::move(*images));
+}
+
+Result<SceneImages> Renderer::images_of(const Scene& scene) const
+{
+    Result<SceneImages::Impl> images = std::as_const(*impl_).images_of(scene);
+    if (!images)
+        return tl::unexpected(std::move(images.error()));
+    return SceneImages(std::make_unique<SceneImages::Impl>(std::move(*images)));
+}
+
+Result<void> Renderer::set_scene(const Scene& scene, SceneImages images)
+{
+    return impl_->set_scene(scene, std::move(*images.impl_));
 }
 
 Result<void> Renderer::import_picture(std::string_view name, const Picture& picture)

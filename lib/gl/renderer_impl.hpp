@@ -31,7 +31,8 @@ public:
     Result<std::unique_ptr<PreparedPlan::Impl>> prepare(Plan plan);
     Result<void> advance(PreparedPlan::Impl& prepared);
     void exchange(PreparedPlan::Impl& prepared);
-    Result<void> set_scene(const Scene& scene);
+    Result<SceneImages::Impl> images_of(const Scene& scene) const;
+    Result<void> set_scene(const Scene& scene, SceneImages::Impl images);
     Result<void> render(const Frame& frame);
     Result<Picture> read(std::string_view output, gl::Rectangle window);
     Result<HostTexture> texture(std::string_view output) const;

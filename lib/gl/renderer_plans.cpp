@@ -24,6 +24,7 @@ void Renderer::Impl::take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl
         imports.adopt(upload, std::move(*imports_));
     imports_ = std::move(imports);
     std::swap(objects_, objects);
+    gl::carry_over(upload, objects, objects_, versions());
     is_first_frame_ = checks_each_step_ = true;
 }
 

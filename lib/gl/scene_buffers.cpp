@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "gl/cube_faces.hpp"
 
 namespace passgraph::gl {
 namespace {
@@ -105,29 +104,20 @@ void fill(const Functions& gl, const BufferTexture& target, const std::vector<gl
 
 } // namespace
 
-Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene)
+Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene, SceneImages::Impl images)
 {
-    if (Errors errors = find_scene_errors(scene, upload.driver.limits); !errors.empty())
-        return tl::unexpected(std::move(errors));
     SceneBuffers buffers;
-    if (scene.sky.is_present()) {
-        const auto faces = cube_faces(scene.sky.faces, Signal::radiance, "the sky", upload.driver.limits);
-        if (!faces)
-            return tl::unexpected(faces.error());
-        buffers.sky = create_cube(upload, *faces);
-    }
+    if (images.sky)
+        buffers.sky = upload_cube(upload, *images.sky);
     for (const Mesh& mesh : scene.meshes) {
         upload.watch.enter(fmt::format("mesh `{}`", mesh.name));
         buffers.meshes.push_back(mesh.indices.empty() ? MeshBuffers{} : create_mesh(upload, mesh));
         upload.watch.check();
         upload.watch.leave();
     }
-    Result<Atlas> atlas = make_atlas(scene, upload.driver.limits.texture_size);
-    if (!atlas)
-        return tl::unexpected(std::move(atlas.error()));
-    buffers.atlas = create_atlas(upload, samplers, *atlas);
-    buffers.element_levels = element_levels(scene, *atlas);
-    buffers.places = {.extent = atlas->extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(atlas->cells)};
+    buffers.atlas = create_atlas(upload, samplers, images.atlas);
+    buffers.element_levels = element_levels(scene, images.atlas);
+    buffers.places = {.extent = images.atlas.extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(images.atlas.cells)};
     buffers.draws = sorted_draws(scene);
     buffers.element_rows.resize(scene.elements.size() * glsl::kElementRows); // a plan may be warmed up before any camera
     buffers.lights = create_buffer_texture(upload, scene.lights.size() * glsl::kLightTexels);

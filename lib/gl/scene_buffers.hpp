@@ -8,6 +8,7 @@
 #include <passgraph/scene/atlas.hpp>
 #include <passgraph/scene/scene.hpp>
 
+#include "gl/scene_images.hpp"
 #include "gl/textures.hpp"
 #include "gl/view_space.hpp"
 
@@ -53,14 +54,15 @@ struct SceneBuffers {
     BufferTexture lights;
 };
 
-/// Errors   scene_malformed (an index that points outside), texture_too_large, those of make_atlas, scene_too_large (more elements or lights
-///          than a buffer texture holds), cube_face_not_square, cube_face_size, gl_error, out_of_memory.
-Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene);
+/// Uploads a scene, and the images that were made of it.
+/// Errors   gl_error, out_of_memory.
+Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, const Scene& scene, SceneImages::Impl images);
 
 /// Elements and lights as a camera sees them.
 void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view);
 
-/// Every index that points outside, and everything beyond the device's limits.
+/// Every index that points outside (scene_malformed), and everything beyond the device's limits (texture_too_large,
+/// scene_too_large: more elements or lights than a buffer texture holds).
 Errors find_scene_errors(const Scene& scene, const Limits& limits);
 
 } // namespace passgraph::gl

@@ -70,6 +70,21 @@ Error incomplete(const Plan& plan, const Plan::Step& step, GLenum status)
             .fault = Fault::machine};
 }
 
+/// Makes the step's slots the attachments of a framebuffer, which is bound then.
+void attach(Upload& upload, const Plan::Step& step, GLuint framebuffer, const std::vector<TextureObject>& slots)
+{
+    upload.state.draw_framebuffer(framebuffer);
+    const auto attach_slot = [&](GLenum attachment, int slot) {
+        upload.driver.gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, attachment, GL_TEXTURE_2D,
+                                              slots[static_cast<size_t>(slot)].id(), 0);
+    };
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        attach_slot(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), step.targets[i].slot);
+    // A tested depth may be sampled by the same step: nothing writes it, so there is no feedback.
+    if (const int depth = step.depth_slot >= 0 ? step.depth_slot : step.tested_depth_slot; depth >= 0)
+        attach_slot(GL_DEPTH_ATTACHMENT, depth);
+}
+
 Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, const Plan::Step& step,
                                              const std::vector<TextureObject>& slots)
 {
@@ -81,17 +96,10 @@ Result<FramebufferObject> create_framebuffer(Upload& upload, const Plan& plan, c
                      .fault = Fault::machine});
     const Functions& gl = upload.driver.gl;
     FramebufferObject framebuffer(upload.driver);
-    upload.state.draw_framebuffer(framebuffer.id());
+    attach(upload, step, framebuffer.id(), slots);
     std::vector<GLenum> buffers;
-    for (const Plan::Target& target : step.targets) {
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
-        gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D,
-                                slots[static_cast<size_t>(target.slot)].id(), 0);
-    }
-    // A tested depth may be sampled by the same step: nothing writes it, so there is no feedback.
-    if (const int depth = step.depth_slot >= 0 ? step.depth_slot : step.tested_depth_slot; depth >= 0)
-        gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                                slots[static_cast<size_t>(depth)].id(), 0);
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
     if (buffers.empty())
         buffers.push_back(GL_NONE);
     gl.DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
@@ -189,6 +197,18 @@ Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& o
     upload.watch.leave();
     append(errors, upload.watch.take());
     return errors;
+}
+
+void carry_over(Upload& upload, PlanObjects& from, PlanObjects& to, const Versions& versions)
+{
+    const std::vector<Freshness::Carried> carried = to.freshness.carry_over(to.plan, versions, from.freshness);
+    for (const Freshness::Carried& image : carried)
+        std::swap(from.slots[image.from], to.slots[image.to]);
+    if (carried.empty())
+        return;
+    for (PlanObjects* objects : {&from, &to})
+        for (size_t i = 0; i < objects->steps.size(); ++i)
+            attach(upload, objects->plan.steps[i], objects->steps[i].framebuffer.id(), objects->slots);
 }
 
 Result<PlanObjects> create_plan_objects(Upload& upload, const Workshop& workshop, Plan plan, bool is_timed)

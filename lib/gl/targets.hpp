@@ -52,6 +52,10 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
 /// Errors   shader_failed, texture_units_exceeded, framebuffer_incomplete; the step then has empty objects.
 Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& objects);
 
+/// Gives a plan that is about to run the textures of another one that hold what it would draw; `versions` are its own. After
+/// an edit only what changed is drawn.
+void carry_over(Upload& upload, PlanObjects& from, PlanObjects& to, const Versions& versions);
+
 /// Everything a plan's frames need.
 /// Errors   those of both, all of them at once as far as they do not follow from each other.
 Result<PlanObjects> create_plan_objects(Upload& upload, const Workshop& workshop, Plan plan, bool is_timed);

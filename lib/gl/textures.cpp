@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+
+#include <glm/gtc/packing.hpp>
 #include <limits>
 #include <vector>
 
@@ -135,26 +137,42 @@ void add_levels(Upload& upload, GLuint texture)
     upload.driver.gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
-Cube create_cube(Upload& upload, const CubeFaces& faces)
+CubeLevels cube_levels(const CubeFaces& faces)
 {
-    Cube cube{TextureObject(upload.driver), irradiance_harmonics(faces)};
+    const auto packed = [](CubeFaces of_level) {
+        CubeLevels::Level level{of_level[0].extent.width, {}};
+        of_level = rounded_to_half(std::move(of_level)); // packing rounds nothing then
+        for (size_t i = 0; i < of_level.size(); ++i) {
+            level.faces[i].resize(of_level[i].texels.size());
+            std::transform(of_level[i].texels.begin(), of_level[i].texels.end(), level.faces[i].begin(),
+                           [](float value) { return glm::packHalf1x16(value); });
+        }
+        return level;
+    };
+    CubeLevels cube{{packed(faces)}, irradiance_harmonics(faces)};
+    for (CubeFaces& rough : prefiltered(faces))
+        cube.levels.push_back(packed(std::move(rough)));
+    return cube;
+}
+
+Cube upload_cube(Upload& upload, const CubeLevels& levels)
+{
+    Cube cube{TextureObject(upload.driver), levels.harmonics};
     upload.state.edit_texture(GL_TEXTURE_CUBE_MAP, cube.texture.id());
     const Functions& gl = upload.driver.gl;
-    const auto store = [&](GLint level, const CubeFaces& of_level) {
+    for (size_t level = 0; level < levels.levels.size(); ++level) {
+        const auto& [size, of_level] = levels.levels[level];
         for (size_t i = 0; i < of_level.size(); ++i)
-            gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), level, GL_RGBA16F,
-                          of_level[i].extent.width, of_level[i].extent.height, 0, GL_RGBA, GL_FLOAT,
-                          of_level[i].texels.data());
-    };
-    const std::vector<CubeFaces> rough = prefiltered(faces);
-    store(0, rounded_to_half(faces));
-    for (size_t i = 0; i < rough.size(); ++i)
-        store(static_cast<GLint>(i + 1), rounded_to_half(rough[i]));
+            gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), static_cast<GLint>(level), GL_RGBA16F, size,
+                          size, 0, GL_RGBA, GL_HALF_FLOAT, of_level[i].data());
+    }
     set_reading(gl, GL_TEXTURE_CUBE_MAP, true);
-    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(rough.size()));
+    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.levels.size()) - 1);
     gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     return cube;
 }
+
+Cube create_cube(Upload& upload, const CubeFaces& faces) { return upload_cube(upload, cube_levels(faces)); }
 
 TextureObject create_filled(Upload& upload, Format format, Extent extent, const void* texels)
 {

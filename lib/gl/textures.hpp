@@ -42,6 +42,18 @@ struct Cube {
     Harmonics harmonics{};
 };
 
+/// A cube's levels as they are uploaded, and the irradiance under it: most of what a cube costs, and no GL.
+struct CubeLevels {
+    struct Level {
+        int size = 0;                                    ///< of a face, in texels
+        std::array<std::vector<std::uint16_t>, 6> faces; ///< RGBA as binary16, so that a driver has nothing to convert
+    };
+    std::vector<Level> levels;
+    Harmonics harmonics{};
+};
+CubeLevels cube_levels(const CubeFaces& faces);
+Cube upload_cube(Upload& upload, const CubeLevels& cube);
+
 /// A binary16 cube map whose levels are filtered for rough reflections (cube_filter.hpp).
 /// Shape    six square faces of 4 channels, row 0 first in OpenGL's orientation.
 Cube create_cube(Upload& upload, const CubeFaces& faces);

@@ -80,6 +80,20 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// What is computed of a scene before it is uploaded: its texture atlas, and its sky filtered for rough surfaces.
+class SceneImages {
+public:
+    class Impl;
+    explicit SceneImages(std::unique_ptr<Impl> impl);
+    SceneImages(SceneImages&&) noexcept;
+    SceneImages& operator=(SceneImages&&) noexcept;
+    ~SceneImages();
+
+private:
+    friend class Renderer;
+    std::unique_ptr<Impl> impl_;
+};
+
 /// Executes a plan in the context that was current when it was created.
 ///
 /// No GL object is created after a plan's first frame, no state is set twice, and any GL error becomes an error value
@@ -104,11 +118,17 @@ public:
     /// Errors   shader_failed (with the pass file's own line), framebuffer_incomplete, texture_units_exceeded, gl_error.
     /// Cost     one program: 40 to 180 ms on llvmpipe when it is new, else below 1 ms.
     Result<void> advance(PreparedPlan& prepared);
-    /// Runs the prepared plan from the next frame on, and hands back the one before, as ready as it was.
+    /// Runs the prepared plan from the next frame on, and hands back the one before, as ready as it was. Images that both
+    /// plans would draw alike are handed over with their textures: only what differs is drawn.
     void exchange(PreparedPlan& prepared);
 
     /// Uploads meshes, materials, lights and sky. The scene must outlive the renderer or the next call.
     Result<void> set_scene(const Scene& scene);
+    /// The slower part of `set_scene`, which makes no GL call: it may run on another thread while frames are drawn.
+    /// Errors   those of `set_scene` but for gl_error and out_of_memory.
+    Result<SceneImages> images_of(const Scene& scene) const;
+    /// The rest of it. `images` are those of this scene.
+    Result<void> set_scene(const Scene& scene, SceneImages images);
     /// Uploads a picture as the import `name`; values are brought into the signal's domain first.
     /// Errors   unknown_import, import_extent (not the extent the plan was compiled for).
     Result<void> import_picture(std::string_view name, const Picture& picture);

@@ -76,6 +76,8 @@ template <class Read> void Inspector::run(Look& look, const Frame& frame, const 
         for (const Plan::Output& output : renderer.plan().outputs)
             read(output);
     renderer.exchange(*look.prepared);
+    if (const Result<void> back = stage_.come_back(frame); !back)
+        append(errors_, back.error());
 }
 
 bool Inspector::work_on_thumbnails(const Inspected& inspected)

@@ -74,6 +74,16 @@ void draw_mistakes(const ViewState& state, const Surface& surface)
     ImGui::PopStyleColor();
 }
 
+void draw_start(const Stage& stage, const Surface& surface)
+{
+    ImGui::SetNextWindowPos({static_cast<float>(surface.width) * 0.5f, static_cast<float>(surface.height) * 0.5f}, 0, {0.5f, 0.5f});
+    if (ImGui::Begin("start", nullptr, kStill | ImGuiWindowFlags_NoInputs)) {
+        ImGui::TextUnformatted(stage.has_scene() ? "compiling the passes" : "reading the scene");
+        ImGui::ProgressBar(stage.progress(), {180.0f, 6.0f}, "");
+    }
+    ImGui::End();
+}
+
 void draw_notice(const ViewState& state, const Surface& surface)
 {
     if (state.notice.empty() || surface.now >= state.notice_until)

@@ -92,6 +92,8 @@ PanelOrders draw_interface(ViewState& state, const Stage& stage, const Inspector
     draw_answer(state, inspector, surface, orders);
     draw_mistakes(state, surface);
     draw_notice(state, surface);
+    if (!stage.is_ready())
+        draw_start(stage, surface);
     if (state.shows_help)
         draw_help(state, surface);
     return orders;

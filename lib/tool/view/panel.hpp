@@ -27,6 +27,7 @@ void draw_costs(const Stage& stage);                                            
 void draw_plan(const Stage& stage);                                                                 // panel_plan.cpp
 void draw_help(const ViewState& state, const Surface& surface);                                     // overlay.cpp
 void draw_mistakes(const ViewState& state, const Surface& surface);                                 // overlay.cpp
+void draw_start(const Stage& stage, const Surface& surface);                                        // overlay.cpp
 void draw_notice(const ViewState& state, const Surface& surface);                                   // overlay.cpp
 void draw_answer(ViewState& state, const Inspector& inspector, const Surface& surface, PanelOrders& orders); // overlay.cpp
 /// The font of columns while it lives.

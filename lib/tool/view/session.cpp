@@ -27,7 +27,7 @@ double speed_for(const Scene& scene)
 } // namespace
 
 Session::Session(const ViewOptions& options, Opening opening, std::unique_ptr<Window> window, Stage stage, const Device& device)
-    : options_(options), device_(device), window_(std::move(window)), scene_(std::move(opening.scene)), stage_(std::move(stage)),
+    : options_(options), device_(device), window_(std::move(window)), stage_(std::move(stage)),
       inspector_(stage_), loader_(std::move(opening.loader)), watch_(watched_paths(options_))
 {
     state_.stacks = std::move(opening.stacks);
@@ -36,12 +36,8 @@ Session::Session(const ViewOptions& options, Opening opening, std::unique_ptr<Wi
     tell({}, state_.mistakes.passes);
     // A panel would hide most of a small window.
     state_.shows_panel = !options_.hides_panel && window_->width() >= 720;
-    if (scene_) {
-        if (const Result<void> set = stage_.set_scene(scene_); !set)
-            state_.mistakes.scene = set.error();
-        reset_camera();
-    }
-    tell({}, state_.mistakes.scene);
+    if (opening.scene)
+        take_scene({std::move(opening.scene), {}});
     pick_stack(0);
 }
 
@@ -85,7 +81,7 @@ double Session::seconds_to_wait() const
     if (window_->is_minimised())
         return 0.1;
     const bool is_flying = flight_ && (flight_->is_moving() || keys_.is_any_held());
-    if (is_flying || needs_frame_ || stage_.is_building() || inspector_.is_asked())
+    if (is_flying || needs_frame_ || (stage_.is_waiting() && !is_awaiting_scene()) || inspector_.is_asked())
         return 0.0;
     if (presents_ > 0 || window_->is_interface_active())
         return 0.012;
@@ -168,7 +164,8 @@ void Session::take_left_button(const WindowEvent& event)
 
 void Session::reset_camera()
 {
-    flight_.emplace(scene_->camera, speed_for(*scene_));
+    speed_ = speed_for(*scene_);
+    flight_.emplace(scene_->camera, speed_);
     needs_frame_ = true;
 }
 
@@ -192,7 +189,7 @@ void Session::move_camera(double seconds)
     const bool is_flying = flight_->is_moving() || keys_.is_any_held();
     if (!is_flying)
         return;
-    flight_->set_speed(speed_for(*scene_) * (keys_.is_fast() ? kFast : 1.0));
+    flight_->set_speed(speed_ * (keys_.is_fast() ? kFast : 1.0));
     flight_->advance(seconds, keys_.take_wish());
     needs_frame_ = true;
 }
@@ -200,7 +197,7 @@ void Session::move_camera(double seconds)
 void Session::draw_frame()
 {
     needs_frame_ = false;
-    if (!stage_.is_ready())
+    if (!stage_.is_ready() || is_awaiting_scene())
         return;
     Frame next = frame();
     drawn_time_ = now();

@@ -88,6 +88,10 @@ private:
     void watch_files();
     void take_loaded();
     void take_scene(LoadedScene loaded);
+    void take_scene_images();
+    /// The first scene is not on the device yet: nothing can be drawn.
+    bool is_awaiting_scene() const { return coming_scene_ && !scene_; }
+    void keep_scene_errors(Errors errors);
     void refresh_controls();
     void plan_again();
     void work_on_plans();
@@ -106,6 +110,7 @@ private:
     ViewState state_;
     HeldKeys keys_;
     std::optional<CameraController> flight_;
+    double speed_ = 1.0; ///< of the flight, m/s
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 
     bool is_ended_ = false;
@@ -131,6 +136,9 @@ private:
     };
     std::optional<Change> change_;
     std::future<Result<std::string>> saving_;
+    /// A scene that was read and is on its way to the device.
+    std::shared_ptr<const Scene> coming_scene_;
+    std::future<Result<SceneImages>> scene_images_;
 };
 
 } // namespace passgraph::tool::view

@@ -81,27 +81,51 @@ void Session::take_loaded()
     }
     if (std::optional<LoadedScene> loaded = loader_->take_scene())
         take_scene(std::move(*loaded));
+    take_scene_images();
 }
 
+void Session::keep_scene_errors(Errors errors)
+{
+    const Errors before = std::exchange(state_.mistakes.scene, std::move(errors));
+    tell(before, state_.mistakes.scene);
+    presents_ = 3;
+}
+
+/// The slow part of taking in a scene goes on beside the window.
 void Session::take_scene(LoadedScene loaded)
 {
-    const Errors before = std::exchange(state_.mistakes.scene, std::move(loaded.errors));
-    presents_ = 3;
-    if (loaded.scene) {
-        if (const Result<void> set = stage_.set_scene(loaded.scene); !set) {
-            state_.mistakes.scene = set.error();
-        } else {
-            // A flight goes on, unless the file has another camera now.
-            const bool is_same_camera = scene_ && same_camera(scene_->camera, loaded.scene->camera);
-            scene_ = std::move(loaded.scene);
-            if (!is_same_camera)
-                reset_camera();
-            needs_frame_ = true;
-            inspector_.plan_changed();
-            watch_.watch(watched_paths(options_)); // it may name other models now
-        }
+    if (!loaded.scene) {
+        keep_scene_errors(std::move(loaded.errors));
+        return;
     }
-    tell(before, state_.mistakes.scene);
+    if (scene_images_.valid())
+        scene_images_.wait(); // those of a scene that is out of date already
+    coming_scene_ = std::move(loaded.scene);
+    scene_images_ = std::async(std::launch::async, [renderer = &stage_.renderer(), scene = coming_scene_] {
+        Result<SceneImages> images = renderer->images_of(*scene);
+        Window::wake();
+        return images;
+    });
+}
+
+void Session::take_scene_images()
+{
+    if (!scene_images_.valid() || scene_images_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    Result<SceneImages> images = scene_images_.get();
+    const std::shared_ptr<const Scene> scene = std::exchange(coming_scene_, nullptr);
+    const Result<void> set = images ? stage_.set_scene(scene, std::move(*images)) : Result<void>(tl::unexpected(images.error()));
+    keep_scene_errors(set ? Errors{} : set.error());
+    if (!set)
+        return;
+    // A flight goes on, unless the file has another camera now.
+    const bool is_same_camera = scene_ && same_camera(scene_->camera, scene->camera);
+    scene_ = scene;
+    if (!is_same_camera)
+        reset_camera();
+    needs_frame_ = true;
+    inspector_.plan_changed();
+    watch_.watch(watched_paths(options_)); // it may name other models now
 }
 
 void Session::refresh_controls()
@@ -143,6 +167,8 @@ void Session::work_on_plans()
     const bool is_settled = is_first || now() - resized_at_ >= kResizeSettles;
     if (needs_plan_ || (!(wanted_extent() == planned_extent_) && is_settled))
         plan_again();
+    if (is_awaiting_scene())
+        return; // programs would be drawn with nothing, and compiled again
     if (stage_.is_waiting()) {
         const bool was_ready = stage_.is_ready();
         const Errors errors = stage_.work();

@@ -127,9 +127,9 @@ float Stage::progress() const
     return static_cast<float>(coming_->steps_made()) / static_cast<float>(coming_->plan().steps.size());
 }
 
-Result<void> Stage::set_scene(std::shared_ptr<const Scene> scene)
+Result<void> Stage::set_scene(std::shared_ptr<const Scene> scene, SceneImages images)
 {
-    if (Result<void> set = renderer_.set_scene(*scene); !set)
+    if (Result<void> set = renderer_.set_scene(*scene, std::move(images)); !set)
         return set;
     scene_ = std::move(scene);
     return {};
@@ -172,6 +172,19 @@ Result<void> Stage::draw(const Frame& frame)
     if (!image)
         return tl::unexpected(image.error());
     shown_ = std::move(*image);
+    return {};
+}
+
+Result<void> Stage::come_back(const Frame& frame)
+{
+    if (!shown_)
+        return {};
+    if (Result<void> drawn = renderer_.render(frame); !drawn)
+        return drawn;
+    Result<std::vector<StoredCodes>> codes = renderer_.codes(renderer_.plan().outputs.front().name);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    shown_->codes = std::move(*codes);
     return {};
 }
 

@@ -25,12 +25,14 @@ public:
     /// The plan that runs may be drawn: there is one, and what it needs is there.
     bool is_ready() const { return has_plan_; }
 
-    Result<void> set_scene(std::shared_ptr<const Scene> scene);
+    Result<void> set_scene(std::shared_ptr<const Scene> scene, SceneImages images);
     bool has_scene() const { return scene_ != nullptr; }
 
     Result<void> draw(const Frame& frame);
     /// The output of the last frame drawn, to be shown.
     const std::optional<ShownImage>& shown() const { return shown_; }
+    /// Finds the output again after another plan ran in between; draws only what that one took away.
+    Result<void> come_back(const Frame& frame);
     Result<void> show(Extent window);
 
     const Plan& plan() const { return renderer_.plan(); }
