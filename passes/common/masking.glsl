@@ -2,8 +2,8 @@
 // needs and which has no 0 / 0 at grazing angles. Cosines are of directions above the surface.
 
 // How Beckmann's masking is evaluated: the rungs of a ladder, in its order.
-const int masking_rational = 0;
-const int masking_erf = 1;
+const int masking_by_rational = 0;
+const int masking_by_erf = 1;
 
 /// Walter et al. 2007, eq. 34, as n.x Lambda(x) of G1 = 1 / (1 + Lambda): what facets hide of a direction's cosine.
 float ggx_hidden(float cosine, float alpha_squared)
@@ -20,7 +20,7 @@ float beckmann_hidden(float cosine, float alpha_squared, int masking)
     float slope = sqrt(alpha_squared * sine_squared); // alpha sin; 0 hides nothing, below
     float a = cosine / slope;
     float hidden;
-    if (masking == masking_rational) {
+    if (masking == masking_by_rational) {
         hidden = a < 1.6 ? slope * (1.0 + a * (0.396 * a - 1.259)) / (3.535 + 2.181 * a) : 0.0;
     } else {
         float t = 1.0 / (1.0 + 0.3275911 * a);
@@ -46,7 +46,7 @@ float smith_separable_visibility(float n_dot_l, float n_dot_v, float l_hidden, f
 
 /// Cook and Torrance 1982, section "Geometrical attenuation": G = min(1, 2 n.h n.v / v.h, 2 n.h n.l / v.h), V-shaped grooves.
 /// The smaller of the two holds the smaller cosine, so V divides by the larger one, and by v.h only where that is not 0.
-/// n.h is negative where an interpolated normal turns away from the viewer: nothing comes from such grooves.
+/// A normal turned away from the viewer has half vectors below it: they see nothing.
 float cook_torrance_visibility(float n_dot_l, float n_dot_v, float n_dot_h, float v_dot_h)
 {
     float most = max(n_dot_l, n_dot_v);

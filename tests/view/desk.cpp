@@ -100,7 +100,7 @@ struct Screen {
         int ends[2];
         REQUIRE(::pipe(ends) == 0);
         // The server looks for a free number and tells it.
-        server = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "800x600x24", "-nolisten", "tcp"}, "/dev/null", "/dev/null");
+        server = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset"}, "/dev/null", "/dev/null");
         ::close(ends[1]);
         char letter = 0;
         while (::read(ends[0], &letter, 1) == 1 && letter != '\n')
