@@ -103,22 +103,10 @@ AddedPass Graph::add(std::string_view pass, PassArguments arguments)
 
 AddedPass Graph::add_plain(const PassPtr& pass, PassArguments arguments)
 {
-    GraphNode node;
-    node.name = arguments.name;
-    node.pass = pass;
-    node.where = arguments.where;
+    GraphNode node = node_of(pass, arguments.name, arguments.where);
     node.scale = arguments.scale;
     if (arguments.size_of)
         node.size_of = arguments.size_of->ref();
-    node.inputs.resize(pass->inputs.size());
-    node.codecs.resize(pass->outputs.size());
-    for (const Param& param : pass->params) {
-        node.params.push_back(param.default_value);
-        node.is_static.push_back(param.is_static);
-    }
-    for (const Selection& selection : pass->selections)
-        node.selections.push_back(selection.default_item);
-
     for (const PassArguments::Input& input : arguments.inputs) {
         const int port = pass->find_input(input.name);
         if (port < 0) {

@@ -136,6 +136,23 @@ void set_param(GraphNode& node, size_t index, const PassArguments::Setting& sett
 
 } // namespace
 
+GraphNode node_of(PassPtr pass, std::string name, const Location& where)
+{
+    GraphNode node;
+    node.name = std::move(name);
+    node.where = where;
+    node.inputs.resize(pass->inputs.size());
+    node.codecs.resize(pass->outputs.size());
+    for (const Param& param : pass->params) {
+        node.params.push_back(param.default_value);
+        node.is_static.push_back(param.is_static);
+    }
+    for (const Selection& selection : pass->selections)
+        node.selections.push_back(selection.default_item);
+    node.pass = std::move(pass);
+    return node;
+}
+
 void apply_setting(GraphNode& node, const PassArguments::Setting& setting, Errors& errors)
 {
     const int param = node.pass->find_param(setting.name);

@@ -7,7 +7,7 @@
 #include <passgraph/gl/renderer.hpp>
 #include <passgraph/scene/scene_file.hpp>
 
-#include "contract/dirty_state.hpp"
+#include "support/dirty_state.hpp"
 #include "contract/random_picture_graph.hpp"
 #include "support/catch.hpp"
 #include "support/test_context.hpp"

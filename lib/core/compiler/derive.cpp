@@ -3,27 +3,10 @@
 #include <cassert>
 
 #include "core/compiler/ir.hpp"
+#include "core/graph_settings.hpp"
 
 namespace passgraph::compiler {
 namespace {
-
-/// A pass with everything at its default.
-GraphNode make_node(PassPtr pass, std::string name, const Location& where)
-{
-    GraphNode node;
-    node.name = std::move(name);
-    node.where = where;
-    node.inputs.resize(pass->inputs.size());
-    node.codecs.resize(pass->outputs.size());
-    for (const Param& param : pass->params) {
-        node.params.push_back(param.default_value);
-        node.is_static.push_back(param.is_static);
-    }
-    for (const Selection& selection : pass->selections)
-        node.selections.push_back(selection.default_item);
-    node.pass = std::move(pass);
-    return node;
-}
 
 /// Copies a graph node by node; what reads a derived output reads the pass that computes it.
 class Derivation {
@@ -99,7 +82,7 @@ private:
         const GraphNode& geometry = graph_.node(index);
         const PassPtr pass = graph_.library->find(pass_name);
         assert(pass && "validate finds unknown derivations");
-        GraphNode node = make_node(pass, geometry.name + "." + pass_name, geometry.where);
+        GraphNode node = node_of(pass, geometry.name + "." + pass_name, geometry.where);
         const ImageRef scene = moved_.at(geometry.inputs.front()->from);
         for (size_t i = 0; i < pass->inputs.size(); ++i) {
             const std::string& port = pass->inputs[i].name;

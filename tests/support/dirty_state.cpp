@@ -1,5 +1,5 @@
 // Sets random OpenGL state.
-#include "contract/dirty_state.hpp"
+#include "support/dirty_state.hpp"
 
 #include <array>
 #include <iterator>
