@@ -8,6 +8,9 @@
     "knee": { "type": "float", "default": 0.5, "range": [0, 1], "label": "Softness, as a share of the threshold" }
   },
   "identity": { "when": "threshold == 0", "is": "image" },
+  // The luminance of a color is at most its largest channel; 1e-5 is for the roundings of a sum of three.
+  "bound": "image * 1.00001 <= threshold - threshold * knee ? 0 : image * 1.00001",
+  "black": ["image"],
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror"] },
   "source": "Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare"
 }*/

@@ -3,6 +3,8 @@
   "summary": "Halves a picture: each texel is the mean of the four it covers.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
+  "black": ["image"],
+  "bound": "image * 1.0001", // weights sum to 1 as far as a filter's rounding goes
   "contract": {
     "non_finite": { "contained": 1 },
     "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]

@@ -15,11 +15,13 @@ namespace {
 
 class StepLowering {
 public:
-    StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
+    StepLowering(const Specialised& special, const Encoding& encoding, const Slots& slots,
                  const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, const CompileOptions& options)
-        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw),
-          guards_imports_(options.import_guards)
+        : graph_(special.graph), black_inputs_(special.black_inputs), encoding_(encoding), slots_(slots), imports_(imports),
+          draw_(draw), guards_imports_(options.import_guards)
     {
+        if (options.specialise)
+            source_.facts = options.facts;
         source_.has_guards = options.guards;
     }
 
@@ -46,10 +48,8 @@ public:
 private:
     static void add(Reads& into, const Reads& more)
     {
-        into.camera |= more.camera;
-        into.lights |= more.lights;
-        into.frame |= more.frame;
-        into.elements |= more.elements;
+        for (const ReadRow& row : kReads)
+            into.*row.member |= more.*row.member;
     }
 
     void add_instance(int node_index)
@@ -64,7 +64,7 @@ private:
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
             instance.signals.push_back(image.signal);
         for (size_t i = 0; i < node.inputs.size(); ++i)
-            instance.inputs.push_back(input_source(node, i));
+            instance.inputs.push_back(input_source(node_index, i));
         for (size_t i = 0; i < node.pass->params.size(); ++i) {
             const Param& param = node.pass->params[i];
             if (!node.is_static[i])
@@ -79,12 +79,18 @@ private:
         source_.instances.push_back(std::move(instance));
     }
 
-    glsl::InputSource input_source(const GraphNode& node, size_t index)
+    glsl::InputSource input_source(int node_index, size_t index)
     {
+        const GraphNode& node = graph_.node(node_index);
         const InputPort& port = node.pass->inputs[index];
         const auto& wire = node.inputs[index];
         glsl::InputSource source;
         source.extent = {1, 1};
+        if (const auto black = black_inputs_.find({node_index, static_cast<int>(index)}); black != black_inputs_.end()) {
+            source.kind = glsl::InputSource::Kind::black;
+            source.extent = black->second;
+            return source;
+        }
         if (!wire || port.over == Over::scene)
             return source;
         const TypedImage& image = graph_.image(wire->from);
@@ -178,6 +184,7 @@ private:
     }
 
     const TypedGraph& graph_;
+    const std::map<std::pair<int, int>, Extent>& black_inputs_;
     const Encoding& encoding_;
     const Slots& slots_;
     const std::map<ImageRef, int, ImageLess>& imports_;
@@ -216,9 +223,10 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
 
 } // namespace
 
-Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+Plan lower(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
            const Slots& slots, const CompileOptions& options)
 {
+    const TypedGraph& graph = special.graph;
     Plan plan;
     plan.extent = options.extent;
     const auto imports = find_imports(graph, draws, plan);
@@ -229,7 +237,7 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.inlined = draws.inlined;
     for (const int draw : order)
         plan.steps.push_back(
-            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
+            StepLowering(special, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
     for (const GraphOutput& output : graph.outputs) {
         Plan::Output result;
         result.name = output.name;

@@ -14,8 +14,8 @@ namespace passgraph::glsl {
 
 /// Where a pass's input gets its values in this step.
 struct InputSource {
-    enum class Kind { value, texture, cube, constant };
-    Kind kind = Kind::constant;
+    enum class Kind { value, texture, cube, constant, black };
+    Kind kind = Kind::constant; ///< constant: the port's default
     /// A sampler, and the channels in which it holds codes of the image.
     struct Piece {
         std::string sampler;
@@ -62,7 +62,7 @@ struct StepSource {
     Reads reads;
     PassKind kind = PassKind::image;
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
-    LightFacts lights;
+    Facts facts; ///< of the scenes that the program is for
     bool has_guards = true; ///< values are brought into their signal's domain
 };
 
