@@ -12,6 +12,8 @@ std::vector<bool> find_live(const TypedGraph& graph)
     std::vector<bool> is_live(static_cast<size_t>(graph.node_count()), false);
     for (const GraphOutput& output : graph.outputs)
         is_live[static_cast<size_t>(output.from.node)] = true;
+    for (const TypedGraph::Watch& watch : graph.watches) // of passes that are needed
+        is_live[static_cast<size_t>(watch.counter)] = true;
     for (int index = graph.node_count() - 1; index >= 0; --index) {
         if (!is_live[static_cast<size_t>(index)])
             continue;
@@ -27,18 +29,23 @@ std::vector<bool> find_live(const TypedGraph& graph)
 Liveness cull(const Specialised& special, const TypedGraph& before, bool is_on)
 {
     const TypedGraph& graph = special.graph;
-    const auto reason_of = [&](const std::string& pass, bool was_live) -> std::string {
+    std::set<std::string> were_live;
+    const std::vector<bool> was_live = find_live(before);
+    for (int index = 0; index < before.node_count(); ++index)
+        if (was_live[static_cast<size_t>(index)])
+            were_live.insert(before.node(index).name);
+    const auto reason_of = [&](const std::string& pass) -> std::string {
         for (const Plan::Decision& decision : special.decisions)
             if (decision.what == pass)
                 return decision.reason;
-        return was_live ? "nothing needs it here" : "no output needs it";
+        return were_live.contains(pass) ? "nothing needs it here" : "no output needs it";
     };
-    Liveness live;
-    const std::vector<bool> was_live = find_live(before);
-    live.is_live = is_on ? find_live(graph) : std::vector<bool>(was_live.size(), true);
+    Liveness live{find_live(graph), {}};
+    if (!is_on)
+        live.is_live.assign(live.is_live.size(), true);
     for (int index = 0; index < graph.node_count(); ++index)
-        if (const auto i = static_cast<size_t>(index); !live.is_live[i] && graph.is_pass(index))
-            live.culled.push_back({graph.node(index).name, reason_of(graph.node(index).name, was_live[i])});
+        if (!live.is_live[static_cast<size_t>(index)] && graph.is_pass(index))
+            live.culled.push_back({graph.node(index).name, reason_of(graph.node(index).name)});
     return live;
 }
 

@@ -165,7 +165,7 @@ private:
             if (const auto& formula = pass.outputs[output].bound)
                 if (const double stated = formula->value(lookup()); !std::isnan(stated))
                     bound = std::clamp(stated, 0.0, bound);
-            if (is_black(pass, output))
+            if (is_black(pass, output) || (options_.skipping == Skipping::always && !pass.skip_when.empty()))
                 bound = 0.0;
             if (bound == 0.0)
                 result_.decisions.push_back({graph_.name({node_, static_cast<int>(output)}), "black"});
