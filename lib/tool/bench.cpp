@@ -4,12 +4,13 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tool/commands.hpp"
 #include "tool/device.hpp"
 #include "tool/job.hpp"
+#include "tool/json_text.hpp"
 #include "tool/library.hpp"
-#include "tool/pass_pages.hpp"
 #include "tool/progress.hpp"
 
 namespace passgraph::tool {
@@ -188,19 +189,19 @@ Result<void> bench(const BenchOptions& options)
 
 } // namespace
 
-void add_bench(CLI::App& app, Action& chosen)
+void add_bench(CommandLine& line)
 {
     const auto options = std::make_shared<BenchOptions>();
-    CLI::App& command = *app.add_subcommand("bench", "Times a graph's frame and its steps");
+    Command command = line.add_command("bench", "Times a graph's frame and its steps");
     add_to(command, options->graph);
     add_to(command, options->sources);
-    command.add_option("--frames", options->frames, "Frames to time, after warming up")->check(CLI::PositiveNumber)->type_name("N");
+    command.add_option("--frames", options->frames, "Frames to time, after warming up").positive().type_name("N");
     add_steps(command, "--compare-off", options->compared, "Times a second plan without these steps, frame by frame in turn");
     command.add_flag("--json", options->as_json, "As JSON");
     add_to(command, options->library);
     add_to(command, options->compiler);
     add_to(command, options->device);
-    command.callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+    command.action([options] { return bench(*options); });
 }
 
 } // namespace passgraph::tool
