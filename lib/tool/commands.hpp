@@ -16,5 +16,7 @@ void add_eval(CommandLine& line);
 void add_view(CommandLine& line);
 void add_accuracy(CommandLine& line);
 void add_test(CommandLine& line);
+void add_facts(CommandLine& line);
+void add_prove(CommandLine& line);
 
 } // namespace passgraph::tool

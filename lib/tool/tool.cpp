@@ -102,6 +102,8 @@ int run_tool(int argc, const char* const* argv)
     add_view(line);
     add_accuracy(line);
     add_test(line);
+    add_facts(line);
+    add_prove(line);
 
     std::vector<std::string> words(argv + 1, argv + argc);
     words = !words.empty() && words.front() == "eval" ? with_expressions_apart(std::move(words)) : with_a_flag_each(words);
