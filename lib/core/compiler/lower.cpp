@@ -63,6 +63,7 @@ private:
         instance.params = node.params;
         instance.is_static = node.is_static;
         instance.selections = node.selections;
+        instance.may_skip = may_skip_at_all(options_); // drawing everything, the pass speaks for itself
         instance.is_black = options_.skipping == Skipping::always && options_.specialise && !node.pass->skip_when.empty();
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
             instance.signals.push_back(image.signal);

@@ -195,7 +195,7 @@ std::string only_value(const Instance& instance)
     const std::string zero = fmt::format("{}(0.0)", glsl_type(info(pass.outputs.front().signal).components));
     if (instance.is_black)
         return zero;
-    return pass.skip_when.empty() ? call : fmt::format("({}{}(uv) ? {} : {})", prefix, kSkips, zero, call);
+    return pass.skip_when.empty() || !instance.may_skip ? call : fmt::format("({}{}(uv) ? {} : {})", prefix, kSkips, zero, call);
 }
 
 /// Evaluates one pass into its file-scope values.
@@ -244,7 +244,7 @@ void add_instance(ProgramText& text, const Instance& instance, Part part)
     add_settings(text, instance, renames);
     const std::string prefix = prefix_of(instance.number);
     text.add_module(instance.pass->body, prefix, renames);
-    if (!instance.pass->skip_when.empty())
+    if (!instance.pass->skip_when.empty() && instance.may_skip)
         text.add_module(skip_text(*instance.pass), prefix, std::move(renames));
 }
 

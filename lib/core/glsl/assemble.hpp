@@ -42,6 +42,7 @@ struct Instance {
     std::vector<bool> is_static;     ///< as pass->params
     std::vector<int> selections;     ///< as pass->selections
     bool is_black = false;           ///< its only output is taken to be 0
+    bool may_skip = true;            ///< its only output is 0 where its "skip" says so
 };
 
 /// Codes of one value that stand in a target.
