@@ -108,10 +108,12 @@ std::string to_text(const Plan& plan)
         text += "not run\n";
     for (const Plan::Culled& culled : plan.culled)
         text += fmt::format("  {}: {}\n", culled.pass, culled.reason);
-    if (!plan.decisions.empty())
-        text += "not needed here\n";
+    std::string decisions;
     for (const Plan::Decision& decision : plan.decisions)
-        text += fmt::format("  {}: {}\n", decision.what, decision.reason);
+        if (std::none_of(plan.culled.begin(), plan.culled.end(), [&](const Plan::Culled& culled) { return culled.pass == decision.what; }))
+            decisions += fmt::format("  {}: {}\n", decision.what, decision.reason);
+    if (!decisions.empty())
+        text += "not needed here\n" + decisions;
     text += "outputs\n";
     for (const Plan::Output& output : plan.outputs)
         text += fmt::format("  {}: {} as {} {}, {}x{}\n", output.name, output.image, info(output.signal).name,

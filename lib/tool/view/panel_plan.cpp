@@ -1,5 +1,6 @@
 // What a frame costs, and the plan in words.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -21,6 +22,41 @@ double megabytes(const Plan& plan, const Plan::Step& step)
     if (step.depth_slot >= 0)
         add(step.depth_slot);
     return static_cast<double>(bytes) / (1024.0 * 1024.0);
+}
+
+/// What did not run, why, and what that saves as far as it was ever seen to run.
+void draw_left_out(const Stage& stage)
+{
+    const Plan& plan = stage.plan();
+    const auto line = [](const std::string& what, const std::string& why, double saved) {
+        const std::string gain = saved > 0.0 ? fmt::format("  saves {:.1f} ms", saved) : "";
+        ImGui::TextWrapped("%s", fmt::format("{}: {}{}", what, why, gain).c_str());
+    };
+    bool has_title = false;
+    const auto title = [&] {
+        if (!std::exchange(has_title, true))
+            ImGui::TextDisabled("Not run");
+    };
+    for (size_t i = 0; i < stage.step_times().size() && i < plan.steps.size(); ++i) {
+        const StepTime& time = stage.step_times()[i];
+        const Plan::Step& step = plan.steps[i];
+        if (!time.was_skipped)
+            continue;
+        title();
+        const std::string& images = plan.queries[static_cast<size_t>(step.skipped_by)].images;
+        const std::string why = step.when_skipped.empty() ? fmt::format("every pixel of {} is black", images)
+                                                          : fmt::format("without {}, which is black", step.black_images);
+        line(step.name, why, std::max(stage.last_drawn_ms(step.name) - time.milliseconds, 0.0));
+    }
+    for (const Plan::Culled& culled : plan.culled) {
+        title();
+        line(culled.pass, culled.reason, stage.last_drawn_ms(culled.pass));
+    }
+    for (const Plan::Decision& decision : plan.decisions)
+        if (std::none_of(plan.culled.begin(), plan.culled.end(), [&](const Plan::Culled& culled) { return culled.pass == decision.what; })) {
+            title();
+            line(decision.what, decision.reason, 0.0);
+        }
 }
 
 } // namespace
@@ -65,6 +101,7 @@ void draw_costs(const Stage& stage)
         ImGui::Text("%.1f", megabytes(plan, step));
     }
     ImGui::EndTable();
+    draw_left_out(stage);
 }
 
 void draw_plan(const Stage& stage)

@@ -156,7 +156,16 @@ void Stage::keep_times(std::vector<StepTime> times)
     for (size_t i = 0; i < std::min(times.size(), step_times_.size()); ++i)
         if (!times[i].was_drawn && times[i].step == step_times_[i].step)
             times[i] = step_times_[i];
+    for (const StepTime& time : times)
+        if (time.was_drawn && !time.was_skipped)
+            drawn_ms_[time.step] = time.milliseconds;
     step_times_ = std::move(times);
+}
+
+double Stage::last_drawn_ms(const std::string& step) const
+{
+    const auto found = drawn_ms_.find(step);
+    return found == drawn_ms_.end() ? 0.0 : found->second;
 }
 
 Result<void> Stage::draw(const Frame& frame)

@@ -1,6 +1,7 @@
 // Draws plans in the window: keeps one running while the next is made ready, and shows what it draws.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -40,6 +41,8 @@ public:
     Presenter& presenter() { return presenter_; }
     const std::vector<StepTime>& step_times() const { return step_times_; }
     double frame_ms() const { return frame_ms_; }
+    /// What a step took when it was last drawn, for one that the device leaves out; 0: it never was.
+    double last_drawn_ms(const std::string& step) const;
 
     /// An output as it can be shown: with the range of its values where the signal has none of its own.
     Result<ShownImage> shown_output(const Plan::Output& output);
@@ -57,6 +60,7 @@ private:
     std::optional<ShownImage> shown_;
     DepthRange range_; ///< of the camera
     std::vector<StepTime> step_times_;
+    std::map<std::string, double> drawn_ms_; ///< by step
     double frame_ms_ = 0.0;
 };
 
