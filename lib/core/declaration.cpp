@@ -64,6 +64,12 @@ int PassDeclaration::find_output(std::string_view wanted) const { return index_o
 int PassDeclaration::find_param(std::string_view wanted) const { return index_of(params, wanted); }
 int PassDeclaration::find_selection(std::string_view wanted) const { return index_of(selections, wanted); }
 
+const std::vector<int>& PassDeclaration::black_inputs(int output) const
+{
+    static const std::vector<int> none;
+    return static_cast<size_t>(output) < black.size() ? black[static_cast<size_t>(output)] : none;
+}
+
 const Layout::Output* Layout::find(std::string_view wanted) const
 {
     for (const Output& entry : outputs)

@@ -84,6 +84,15 @@ Object spans_json(const std::vector<Contract::Span>& spans)
     return json;
 }
 
+Object black_json(const PassDeclaration& pass)
+{
+    Object json = Object::object();
+    for (size_t output = 0; output < pass.black.size(); ++output)
+        for (const int input : pass.black[output])
+            json[pass.outputs[output].name].push_back(pass.inputs[static_cast<size_t>(input)].name);
+    return json;
+}
+
 Object contract_json(const Contract& contract)
 {
     if (!contract.is_stated)
@@ -134,6 +143,8 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
     for (const Layout& layout : pass.layouts)
         json["layouts"].push_back(layout_json(layout));
     json["identity"] = pass.identity_when.empty() ? Object(nullptr) : Object{{"when", pass.identity_when}, {"is", pass.identity_is}};
+    json["black"] = black_json(pass);
+    json["skip"] = pass.skip_when.empty() ? Object(nullptr) : Object{{"when", pass.skip_when}, {"value", 0}};
     json["contract"] = contract_json(pass.contract);
     return json;
 }

@@ -129,6 +129,16 @@ std::string pass_page(const PassDeclaration& pass)
                         pass.composite ? "composite" : pass.kind == PassKind::geometry ? "geometry" : "image", pass.source, pass.file);
     if (!pass.identity_when.empty())
         text += fmt::format("identity is {} when {}\n", pass.identity_is, pass.identity_when);
+    for (size_t output = 0; output < pass.black.size(); ++output) {
+        std::vector<std::string> inputs;
+        for (const int input : pass.black[output])
+            inputs.push_back(pass.inputs[static_cast<size_t>(input)].name);
+        if (!inputs.empty())
+            text += fmt::format("black    {} when {} {}\n", pass.outputs[output].name, fmt::join(inputs, " and "),
+                                inputs.size() > 1 ? "are" : "is");
+    }
+    if (!pass.skip_when.empty())
+        text += fmt::format("skipped  where {}\n", pass.skip_when);
     text += contract_lines(pass.contract);
     if (!pass.inputs.empty())
         text += "inputs\n";

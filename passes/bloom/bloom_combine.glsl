@@ -5,6 +5,7 @@
   "outputs": { "color": { "signal": "radiance", "size": { "of": "scene" } } },
   "params": { "strength": { "type": "float", "default": 1, "range": [0, 8] } },
   "identity": { "when": "strength == 0", "is": "scene" },
+  "black": ["scene", "bloom"],
   "contract": {
     "range": { "color": [0, "saturated"] },
     "non_finite": "contained",

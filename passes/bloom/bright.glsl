@@ -8,6 +8,7 @@
     "knee": { "type": "float", "default": 0.5, "range": [0, 1], "label": "Softness, as a share of the threshold" }
   },
   "identity": { "when": "threshold == 0", "is": "image" },
+  "black": ["image"],
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror"] },
   "source": "Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare"
 }*/

@@ -15,6 +15,7 @@
     "sampling": { "items": ["linear_pairs", "nearest_taps"], "default": "nearest_taps", "reference": "gaussian" }
   },
   "identity": { "when": "sigma == 0", "is": "image" },
+  "black": ["image"],
   "contract": {
     // A linear tap reads its neighbors at a weight of 0, too, and 0 * NaN is NaN.
     "non_finite": {

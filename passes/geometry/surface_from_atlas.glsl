@@ -8,6 +8,7 @@
     "atlas_emissive": { "signal": "radiance", "over": "table", "filter": "linear" }
   },
   "outputs": { "albedo": "albedo", "material": "material", "emissive": "radiance" },
+  "black": { "albedo": ["atlas_albedo"], "material": ["atlas_material"], "emissive": ["atlas_emissive"] },
   "contract": { "non_finite": "contained", "laws": ["black"] },
   "source": "the 2017 demo's three-target layout"
 }*/

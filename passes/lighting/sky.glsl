@@ -6,6 +6,7 @@
   "outputs": { "color": { "signal": "radiance", "size": { "of": "image" } } },
   "only_where": { "no_depth": "image" },
   "params": { "intensity": { "type": "float", "default": 1, "range": [0, 100] } },
+  "black": ["image", "sky"],
   "contract": {
     "range": { "color": [0, "saturated"] },
     "non_finite": "contained",

@@ -3,6 +3,7 @@
   "summary": "Halves a picture: each texel is the mean of the four it covers.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
+  "black": ["image"],
   "contract": {
     "non_finite": { "contained": 1 },
     "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]

@@ -3,6 +3,7 @@
   "summary": "Doubles a picture, bilinearly.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [2, 1] } } },
+  "black": ["image"],
   "contract": {
     "non_finite": { "contained": 1 },
     "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]

@@ -6,6 +6,7 @@
   "params":  { "tint": { "type": "color", "default": [0.40, 0.79, 0.11], "range": [0, 1] },
                "amount": { "type": "float", "default": 1.0, "range": [0, 1] } },
   "identity": { "when": "amount == 0", "is": "image" },
+  "black": ["image"],
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror", "scale"] },
   "source":  "the 2017 demo"
 }*/

@@ -5,6 +5,7 @@
   "outputs": { "color": "color" },
   "params": { "cell": { "type": "float", "default": 8, "range": [1, 512], "unit": "texels" } },
   "identity": { "when": "cell == 1", "is": "image" },
+  "black": ["image"],
   "contract": { "non_finite": { "contained": "cell" }, "laws": ["constant", "black", "energy", "monotone", "scale"] },
   "source": "the 2017 demo"
 }*/

@@ -11,6 +11,7 @@
   // An ellipse follows the picture's aspect and touches all four sides alike; a circle is round on the screen.
   "choices": { "shape": { "items": ["ellipse", "circle"], "default": "ellipse" } },
   "identity": { "when": "amount == 0", "is": "image" },
+  "black": ["image"],
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror", "scale"] },
   "source": "the 2017 demo, which subtracted and so went below black"
 }*/

@@ -11,6 +11,7 @@
     "curve": { "items": ["table", "exact"], "default": "exact", "reference": "filmic_display" },
     "transfer": { "items": ["gamma_2_2", "rational", "exact"], "default": "exact", "reference": "filmic_display" }
   },
+  "black": ["image"],
   "contract": { "non_finite": "replaced", "laws": ["black", "monotone", "mirror"] },
   "source": "Hable 2010, Uncharted 2: HDR Lighting; IEC 61966-2-1"
 }*/

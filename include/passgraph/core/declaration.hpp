@@ -188,6 +188,10 @@ struct PassDeclaration {
     std::string identity_is;   ///< the input that the pass then is
     OnlyWhere only_where = OnlyWhere::everywhere;
     std::string elsewhere; ///< the input that the pass is where only_where does not hold; "": its outputs are 0 there
+    /// By output: the inputs that make it exactly 0 everywhere when all of them are; none: nothing does.
+    std::vector<std::vector<int>> black;
+    std::string skip_when; ///< a GLSL condition in the body's scope: where it holds the only output is exactly 0; or ""
+    Location skip_where;   ///< of that condition
     Contract contract;
     GlslText body;
     std::shared_ptr<const GraphDescription> composite; ///< set when the pass is a graph file with ports
@@ -196,6 +200,8 @@ struct PassDeclaration {
     int find_output(std::string_view wanted) const;
     int find_param(std::string_view wanted) const;
     int find_selection(std::string_view wanted) const;
+    /// The inputs that make an output black when all of them are; empty: nothing does.
+    const std::vector<int>& black_inputs(int output) const;
 };
 
 /// "a.rg : octahedral_rg16", "from position_from_depth": where an output stands, as a header says it.

@@ -21,8 +21,9 @@ using IncludeFinder = std::function<std::optional<IncludedFile>(std::string_view
 /// Reads header, includes and names of a pass; no GLSL compiler is asked, so `Access` stays at its safest value.
 ///
 /// Errors   header_missing, json_*, unknown_field, wrong_type, field_missing, unknown_signal, unknown_item, reserved_name,
-///          duplicate_name, param_out_of_range (a default outside its range), identity_mismatch,
-///          contract_contradicts_signal, unknown_law, forbidden_builtin, include_missing, include_cycle.
+///          duplicate_name, param_out_of_range (a default outside its range), identity_mismatch, black_mismatch,
+///          skip_mismatch, unknown_input, unknown_output, contract_contradicts_signal, unknown_law, forbidden_builtin,
+///          include_missing, include_cycle.
 Result<PassDeclaration> read_pass_header(std::string_view text, const std::string& file, const std::string& family,
                                          const IncludeFinder& find_include);
 

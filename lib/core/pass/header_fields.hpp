@@ -23,6 +23,10 @@ void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors);
 void read_contract(const Json& contract, PassDeclaration& pass, Errors& errors);
 /// "identity": under which parameters the pass is which of its inputs; after its ports.
 void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors);
+/// "black": which inputs being 0 everywhere make an output 0 everywhere; after its ports.
+void read_black(const Json& black, PassDeclaration& pass, Errors& errors);
+/// "skip": a condition under which a pixel of the only output is 0; after its ports.
+void read_skip(const Json& skip, PassDeclaration& pass, Errors& errors);
 
 /// The pass can be the input that `named` names: one output, of its signal and extent. Else unknown_input, identity_mismatch.
 void check_is_input(const Json& named, const PassDeclaration& pass, Errors& errors);

@@ -208,6 +208,10 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
         header::read_contract(*contract, pass, errors);
     if (const Json* where = fields.find("only_where"))
         read_only_where(*where, pass, errors);
+    if (const Json* black = fields.find("black"))
+        header::read_black(*black, pass, errors);
+    if (const Json* skip = fields.find("skip", Json::Kind::object))
+        header::read_skip(*skip, pass, errors);
     fields.finish();
 }
 
