@@ -49,6 +49,9 @@ Object step_json(const Plan::Step& step, bool with_glsl)
                    {"targets", Object::array()},
                    {"depth_slot", step.depth_slot < 0 ? Object(nullptr) : Object(step.depth_slot)},
                    {"tested_depth_slot", step.tested_depth_slot < 0 ? Object(nullptr) : Object(step.tested_depth_slot)},
+                   {"counts", step.counts < 0 ? Object(nullptr) : Object(step.counts)},
+                   {"skipped_by", step.skipped_by < 0 ? Object(nullptr) : Object(step.skipped_by)},
+                   {"variant_without", step.black_images},
                    {"uniforms", Object::array()},
                    {"host", Object::array()}};
     for (const Plan::Read& read : step.reads)
@@ -69,6 +72,8 @@ Object step_json(const Plan::Step& step, bool with_glsl)
         json["fragment"] = step.fragment;
         if (!step.background.empty())
             json["background"] = step.background;
+        if (!step.when_skipped.empty())
+            json["when_skipped"] = step.when_skipped;
         json["sources"] = step.sources;
     }
     return json;
@@ -83,7 +88,7 @@ std::string to_json(const Plan& plan, bool with_glsl)
                    {"extent", extent_json(plan.extent)},
                    {"bytes", plan.bytes},
                    {"bytes_unshared", plan.bytes_unshared}};
-    for (const char* list : {"imports", "slots", "steps", "inlined", "boundaries", "culled", "outputs"})
+    for (const char* list : {"imports", "slots", "steps", "queries", "inlined", "boundaries", "culled", "outputs"})
         json[list] = Object::array();
     for (const Plan::Import& import : plan.imports)
         json["imports"].push_back({{"name", import.name},
@@ -95,6 +100,8 @@ std::string to_json(const Plan& plan, bool with_glsl)
             {{"format", name(slot.format)}, {"extent", extent_json(slot.extent)}, {"images", slot.images}});
     for (const Plan::Step& step : plan.steps)
         json["steps"].push_back(step_json(step, with_glsl));
+    for (const Plan::Query& query : plan.queries)
+        json["queries"].push_back({{"step", query.step}, {"images", query.images}});
     json["inlined"] = plan.inlined;
     for (const Plan::Boundary& boundary : plan.boundaries)
         json["boundaries"].push_back(

@@ -42,6 +42,8 @@ int redrawn_steps(const Plan& plan, size_t changed)
     return count;
 }
 
+const std::string& images_of(const Plan& plan, int query) { return plan.queries[static_cast<size_t>(query)].images; }
+
 void add_step(std::string& text, const Plan& plan, size_t index)
 {
     const Plan::Step& step = plan.steps[index];
@@ -56,6 +58,15 @@ void add_step(std::string& text, const Plan& plan, size_t index)
     if (step.tested_depth_slot >= 0)
         text += fmt::format("       parts   surfaces, and background, by the depth in {}\n",
                             slot_text(plan, step.tested_depth_slot));
+    if (step.counts >= 0)
+        text += fmt::format("       asks    is any pixel of {} not black? (the device answers, the frame goes on)\n",
+                            images_of(plan, step.counts));
+    if (step.skipped_by >= 0)
+        text += step.when_skipped.empty()
+                    ? fmt::format("       runs    only if {} has a pixel that is not black; else it is black too\n",
+                                  images_of(plan, step.skipped_by))
+                    : fmt::format("       variant without {}, unless {} has a pixel that is not black\n", step.black_images,
+                                  images_of(plan, step.skipped_by));
     for (const Plan::Uniform& uniform : step.uniforms)
         text += fmt::format("       live    {}: a change concerns {} of {} steps\n", uniform.place,
                             redrawn_steps(plan, index), plan.steps.size());
@@ -110,8 +121,16 @@ std::string to_dot(const Plan& plan)
     std::string text = "digraph plan {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
     for (size_t i = 0; i < plan.imports.size(); ++i)
         text += fmt::format("  import{} [label={}, shape=ellipse];\n", i, quoted(plan.imports[i].name));
+    for (size_t i = 0; i < plan.steps.size(); ++i) {
+        const bool may_be_left_out = plan.steps[i].skipped_by >= 0 && plan.steps[i].when_skipped.empty();
+        text += fmt::format("  step{} [label={}{}];\n", i, quoted(fmt::format("{}. {}", i + 1, plan.steps[i].name)),
+                            may_be_left_out ? ", style=dashed" : "");
+    }
     for (size_t i = 0; i < plan.steps.size(); ++i)
-        text += fmt::format("  step{} [label={}];\n", i, quoted(fmt::format("{}. {}", i + 1, plan.steps[i].name)));
+        if (const Plan::Step& step = plan.steps[i]; step.skipped_by >= 0)
+            text += fmt::format("  step{} -> step{} [label={}, style=dashed];\n",
+                                plan.queries[static_cast<size_t>(step.skipped_by)].step, i,
+                                quoted(step.when_skipped.empty() ? "only if not black" : "simpler if black"));
     for (size_t reader = 0; reader < plan.steps.size(); ++reader) {
         for (const Plan::Read& read : plan.steps[reader].reads) {
             if (read.source == Plan::Read::Source::import) {

@@ -122,9 +122,59 @@ void draw_triangle(const DrawInputs& inputs)
     inputs.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Draws under a condition on what a query has counted; the query 0 means none.
+class Condition {
+public:
+    Condition(const Functions& gl, GLuint query, GLenum mode) : gl_(gl), is_on_(query != 0)
+    {
+        if (is_on_)
+            gl_.BeginConditionalRender(query, mode);
+    }
+    ~Condition()
+    {
+        if (is_on_)
+            gl_.EndConditionalRender();
+    }
+    Condition(const Condition&) = delete;
+    Condition& operator=(const Condition&) = delete;
+
+private:
+    const Functions& gl_;
+    bool is_on_;
+};
+
+/// Whatever is not drawn is black. Outside of any condition, which a clear would be under too.
+void clear_to_black(const DrawInputs& inputs, const Plan::Step& step)
+{
+    for (size_t i = 0; i < step.targets.size(); ++i)
+        inputs.gl.ClearBufferfv(GL_COLOR, static_cast<GLint>(i), step.targets[i].black.data());
+}
+
+/// One triangle for the whole picture, or one for its surfaces and one for its background.
+std::int64_t draw_parts(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects)
+{
+    State& state = inputs.state;
+    state.depth(objects.background ? State::Depth::surfaces : State::Depth::unused);
+    draw_triangle(inputs);
+    if (!objects.background)
+        return 1;
+    use(inputs, step, objects, *objects.background);
+    state.depth(State::Depth::background);
+    draw_triangle(inputs);
+    return 2;
+}
+
+std::int64_t draw_variant(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects, GLuint query)
+{
+    use(inputs, step, objects, *objects.when_skipped);
+    const Condition condition(inputs.gl, query, GL_QUERY_WAIT_INVERTED);
+    draw_triangle(inputs);
+    return 1;
+}
+
 } // namespace
 
-std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects)
+std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects, const StepQueries& queries)
 {
     State& state = inputs.state;
     state.draw_framebuffer(objects.framebuffer.id());
@@ -136,14 +186,21 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
         clear_targets(inputs, step);
         return draw_elements(inputs, objects.program);
     }
-    state.depth(objects.background ? State::Depth::surfaces : State::Depth::unused);
-    draw_triangle(inputs);
-    if (!objects.background)
-        return 1;
-    use(inputs, step, objects, *objects.background);
-    state.depth(State::Depth::background);
-    draw_triangle(inputs);
-    return 2;
+    const bool has_variant = objects.when_skipped.has_value();
+    if (step.counts >= 0 || (queries.skipped_by != 0 && !has_variant))
+        clear_to_black(inputs, step);
+    std::int64_t draws = 0;
+    if (queries.counts != 0)
+        inputs.gl.BeginQuery(GL_ANY_SAMPLES_PASSED, queries.counts);
+    {
+        const Condition condition(inputs.gl, queries.skipped_by, GL_QUERY_WAIT);
+        draws += draw_parts(inputs, step, objects);
+    }
+    if (queries.counts != 0)
+        inputs.gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+    if (has_variant && (queries.skipped_by != 0 || inputs.only_warms_up))
+        draws += draw_variant(inputs, step, objects, queries.skipped_by);
+    return draws;
 }
 
 } // namespace passgraph::gl

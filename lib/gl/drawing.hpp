@@ -20,7 +20,14 @@ struct DrawInputs {
     bool only_warms_up = false; ///< draws into one pixel: the driver compiles, and nothing is seen
 };
 
+/// The queries that a step's draws have to do with in this frame; 0: none.
+struct StepQueries {
+    GLuint counts = 0;     ///< is to count the pixels that are drawn
+    GLuint skipped_by = 0; ///< has counted; without a pixel, the device leaves the step out or draws its variant
+};
+
 /// Draws the step and returns how many draws that took.
-std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects);
+std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects,
+                       const StepQueries& queries = {});
 
 } // namespace passgraph::gl

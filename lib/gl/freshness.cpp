@@ -103,7 +103,8 @@ size_t position_of(const Plan::Step& producer, int slot)
 
 } // namespace
 
-Freshness::Freshness(const Plan& plan) : held_(plan.slots.size(), 0), wanted_(plan.steps.size(), 0)
+Freshness::Freshness(const Plan& plan)
+    : held_(plan.slots.size(), 0), counted_(plan.queries.size(), 0), wanted_(plan.steps.size(), 0)
 {
     for (size_t i = 0; i < plan.steps.size(); ++i) {
         content_.push_back(content_of(plan, plan.steps[i]));
@@ -168,6 +169,15 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
                     runs[producer] = is_changed = true;
             }
         }
+        // What runs under a condition wants it answered: of another image, a query decides nothing.
+        for (const Plan::Step& step : plan.steps) {
+            if (step.skipped_by < 0 || !runs[static_cast<size_t>(&step - plan.steps.data())])
+                continue;
+            const auto query = static_cast<size_t>(step.skipped_by);
+            const auto counting = static_cast<size_t>(plan.queries[query].step);
+            if (!runs[counting] && counted_[query] != wanted_[counting])
+                runs[counting] = is_changed = true;
+        }
         // An output that is held may be overwritten too, before the frame's end.
         for (const Plan::Output& output : plan.outputs) {
             const int producer = output.source == Plan::Read::Source::slot ? producer_of(plan, output.index, count) : -1;
@@ -179,17 +189,30 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
     return runs;
 }
 
-void Freshness::have_run(const Plan& plan, const std::vector<bool>& ran)
+std::vector<bool> Freshness::answers(const Plan& plan, const std::vector<bool>& runs, bool counts) const
 {
+    std::vector<bool> answers;
+    for (size_t query = 0; query < plan.queries.size(); ++query) {
+        const auto step = static_cast<size_t>(plan.queries[query].step);
+        answers.push_back(runs[step] ? counts : counted_[query] == wanted_[step]);
+    }
+    return answers;
+}
+
+void Freshness::have_run(const Plan& plan, const std::vector<bool>& ran, bool counted)
+{
+    for (size_t query = 0; query < plan.queries.size(); ++query)
+        if (const auto step = static_cast<size_t>(plan.queries[query].step); ran[step])
+            counted_[query] = counted ? wanted_[step] : 0;
     for (size_t i = 0; i < plan.steps.size(); ++i)
         if (const std::vector<int> slots = slots_of(plan.steps[i]); ran[i])
             for (size_t k = 0; k < slots.size(); ++k)
                 held_[static_cast<size_t>(slots[k])] = image_of(wanted_[i], k);
 }
 
-std::vector<Freshness::Carried> Freshness::carry_over(const Plan& plan, const Versions& versions, Freshness& from)
+Freshness::CarriedOver Freshness::carry_over(const Plan& plan, const Versions& versions, Freshness& from)
 {
-    std::vector<Carried> carried;
+    CarriedOver carried;
     find_wanted(plan, versions);
     for (size_t i = 0; i < plan.steps.size(); ++i) {
         const std::vector<int> slots = slots_of(plan.steps[i]);
@@ -199,14 +222,27 @@ std::vector<Freshness::Carried> Freshness::carry_over(const Plan& plan, const Ve
             const auto found = std::find(from.held_.begin(), from.held_.end(), image);
             if (found == from.held_.end() || held_[to] == image)
                 continue;
-            carried.push_back({static_cast<size_t>(found - from.held_.begin()), to});
+            carried.slots.push_back({static_cast<size_t>(found - from.held_.begin()), to});
             held_[to] = image;
             *found = 0;
         }
     }
+    for (size_t query = 0; query < plan.queries.size(); ++query) {
+        const std::uint64_t wanted = wanted_[static_cast<size_t>(plan.queries[query].step)];
+        const auto found = std::find(from.counted_.begin(), from.counted_.end(), wanted);
+        if (found == from.counted_.end() || counted_[query] == wanted)
+            continue;
+        carried.queries.push_back({static_cast<size_t>(found - from.counted_.begin()), query});
+        counted_[query] = wanted;
+        *found = 0;
+    }
     return carried;
 }
 
-void Freshness::forget() { std::fill(held_.begin(), held_.end(), 0); }
+void Freshness::forget()
+{
+    std::fill(held_.begin(), held_.end(), 0);
+    std::fill(counted_.begin(), counted_.end(), 0);
+}
 
 } // namespace passgraph::gl

@@ -33,26 +33,36 @@ public:
     /// Which steps must run, in the plan's order. `redraws`: all, but for steps that nothing can change.
     std::vector<bool> stale(const Plan& plan, const Versions& versions, bool redraws);
 
-    /// The steps that `stale` asked for have run: their slots hold what it wanted.
-    void have_run(const Plan& plan, const std::vector<bool>& ran);
+    /// By query: has it counted the pixels of the image that its step would draw now, or will it in this frame, as the steps
+    /// that `stale` asked for run? A query that never counted, or counted another image, decides nothing.
+    std::vector<bool> answers(const Plan& plan, const std::vector<bool>& runs, bool counts) const;
+
+    /// The steps that `stale` asked for have run: their slots hold what it wanted, and their queries have counted it if the
+    /// frame `counted`.
+    void have_run(const Plan& plan, const std::vector<bool>& ran, bool counted);
 
     /// Nothing is known of any slot.
     void forget();
 
-    /// A slot of another plan, and the slot here that would get the same image.
+    /// A slot or query of another plan, and that here which would get the same image.
     struct Carried {
         size_t from = 0;
         size_t to = 0;
     };
-    /// The images of a plan that ran which this plan would draw again under these versions. They count as held here, and no
-    /// longer there: the textures are to change places.
-    std::vector<Carried> carry_over(const Plan& plan, const Versions& versions, Freshness& from);
+    struct CarriedOver {
+        std::vector<Carried> slots;
+        std::vector<Carried> queries;
+    };
+    /// The images of a plan that ran which this plan would draw again under these versions, and the queries that counted
+    /// them. They count as held here, and no longer there: the textures and queries are to change places.
+    CarriedOver carry_over(const Plan& plan, const Versions& versions, Freshness& from);
 
 private:
     void find_wanted(const Plan& plan, const Versions& versions);
 
     std::vector<std::uint64_t> content_;      ///< by step: of its texts, extents and formats
     std::vector<std::uint64_t> held_;         ///< by slot; 0: unknown
+    std::vector<std::uint64_t> counted_;      ///< by query: the version of its step that it counted; 0: none
     std::vector<std::uint64_t> wanted_;       ///< by step, of the last `stale`
     std::vector<std::vector<int>> producers_; ///< by step and read: the step that draws it, -1 for imports
 };

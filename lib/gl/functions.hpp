@@ -9,6 +9,8 @@
 #define PASSGRAPH_GL_FUNCTIONS(X)                                                                                      \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                           \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                             \
+    X(PFNGLBEGINCONDITIONALRENDERPROC, BeginConditionalRender)                                                         \
+    X(PFNGLBEGINQUERYPROC, BeginQuery)                                                                                 \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                 \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                         \
     X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                                                                       \
@@ -47,6 +49,8 @@
     X(PFNGLENABLEPROC, Enable)                                                                                         \
     X(PFNGLENABLEIPROC, Enablei)                                                                                       \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                       \
+    X(PFNGLENDCONDITIONALRENDERPROC, EndConditionalRender)                                                             \
+    X(PFNGLENDQUERYPROC, EndQuery)                                                                                     \
     X(PFNGLFINISHPROC, Finish)                                                                                         \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                             \
     X(PFNGLFRONTFACEPROC, FrontFace)                                                                                   \
@@ -67,6 +71,7 @@
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                   \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                             \
     X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                                               \
+    X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                                                 \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                     \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                               \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                   \
@@ -115,6 +120,7 @@ struct Functions {
     PASSGRAPH_GL_MEMBER(PFNGLCLIPCONTROLPROC, ClipControl) ///< nullptr without ARB_clip_control
 #undef PASSGRAPH_GL_MEMBER
     bool has_debug = false;
+    bool has_inverted_conditions = false; ///< may draw only if a query counted nothing: 4.5 or ARB_conditional_render_inverted
 };
 
 /// Every function the executor calls, of the current context.

@@ -55,9 +55,8 @@ Result<void> set_parameter(PlanObjects& objects, std::string_view place, const V
                 continue;
             if (Errors errors = find_value_errors(uniforms[u], value); !errors.empty())
                 return tl::unexpected(std::move(errors));
-            objects.steps[s].program.uniforms[u].value = value;
-            if (objects.steps[s].background)
-                objects.steps[s].background->uniforms[u].value = value;
+            for (Program* program : objects.steps[s].programs())
+                program->uniforms[u].value = value;
             is_known = true;
         }
     }

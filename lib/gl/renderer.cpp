@@ -142,6 +142,9 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     const gl::DrawInputs inputs = draw_inputs(objects_.slots, *imports_);
     frame_version_ = (frame_version_ + 1) | std::uint64_t{1} << 62; // equal to no other kind of version
     const std::vector<bool> stale = objects_.freshness.stale(objects_.plan, versions(), frame.redraws);
+    const bool counts = gl::may_count(driver_.gl, objects_.plan);
+    const std::vector<bool> answers = objects_.freshness.answers(objects_.plan, stale, counts);
+    std::vector<GLuint> conditions(stale.size(), 0);
     objects_.timing.mark_start(driver_.gl);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
@@ -151,8 +154,11 @@ Result<void> Renderer::Impl::render(const Frame& frame)
             blocks_->bind(state_);
         }
         call.watch.enter(fmt::format("step `{}`", step.name));
-        if (stale[i])
-            draws_ += gl::draw_step(inputs, step, objects_.steps[i]);
+        if (stale[i]) {
+            const gl::StepQueries queries = gl::queries_of(driver_.gl, objects_, i, answers, counts);
+            draws_ += gl::draw_step(inputs, step, objects_.steps[i], queries);
+            conditions[i] = queries.skipped_by;
+        }
         objects_.timing.mark_end_of(driver_.gl, i);
         if (checks_each_step_)
             call.watch.check();
@@ -165,9 +171,10 @@ Result<void> Renderer::Impl::render(const Frame& frame)
         objects_.freshness.forget();
         return tl::unexpected(std::move(errors));
     }
-    objects_.freshness.have_run(objects_.plan, stale);
+    objects_.freshness.have_run(objects_.plan, stale, counts);
     objects_.timing.frame_done();
     drawn_ = stale;
+    conditions_ = std::move(conditions);
     is_first_frame_ = false;
     return {};
 }
@@ -238,8 +245,11 @@ Result<Picture> Renderer::Impl::read(std::string_view name, gl::Rectangle window
 std::vector<StepTime> Renderer::Impl::step_times() const
 {
     std::vector<StepTime> times = objects_.timing.read(driver_.gl, objects_.plan);
-    for (size_t i = 0; i < std::min(times.size(), drawn_.size()); ++i)
+    for (size_t i = 0; i < std::min(times.size(), drawn_.size()); ++i) {
         times[i].was_drawn = drawn_[i];
+        if (conditions_[i] != 0 && gl::counted_nothing(driver_.gl, conditions_[i]))
+            times[i].was_skipped = true;
+    }
     return times;
 }
 

@@ -26,6 +26,8 @@ void Renderer::Impl::take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl
     std::swap(objects_, objects);
     gl::carry_over(upload, objects, objects_, versions());
     is_first_frame_ = checks_each_step_ = true;
+    drawn_.clear();
+    conditions_.clear();
 }
 
 Result<void> Renderer::Impl::build(Plan plan)

@@ -135,13 +135,16 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
     if (!errors.empty())
         return tl::unexpected(std::move(errors));
     StepObjects objects{.framebuffer = std::move(*framebuffer), .program = std::move(*program)};
-    if (!step.background.empty()) {
-        Plan::Step behind = step;
-        behind.fragment = step.background;
-        Result<Program> background = obtain_program(upload, workshop.programs, behind);
-        if (!background)
-            return tl::unexpected(std::move(background.error()));
-        objects.background = std::move(*background);
+    for (const auto& [fragment, other] :
+         {std::pair{&step.background, &objects.background}, std::pair{&step.when_skipped, &objects.when_skipped}}) {
+        if (fragment->empty())
+            continue;
+        Plan::Step variant = step;
+        variant.fragment = *fragment;
+        Result<Program> made_too = obtain_program(upload, workshop.programs, variant);
+        if (!made_too)
+            return tl::unexpected(std::move(made_too.error()));
+        *other = std::move(*made_too);
     }
     for (const Plan::Read& read : step.reads) {
         const GLuint plain = workshop.samplers.get(read.filter, read.wrap, read.wrap, false);
@@ -159,6 +162,15 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
 
 } // namespace
 
+std::vector<Program*> StepObjects::programs()
+{
+    std::vector<Program*> all = {&program};
+    for (std::optional<Program>* other : {&background, &when_skipped})
+        if (*other)
+            all.push_back(&**other);
+    return all;
+}
+
 Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
 {
     if (Errors errors = find_extent_errors(plan, upload.driver.limits); !errors.empty())
@@ -175,6 +187,8 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
         return tl::unexpected(std::move(errors));
     if (is_timed)
         objects.timing = Timing(upload.driver, plan.steps.size());
+    for (size_t query = 0; query < plan.queries.size(); ++query)
+        objects.queries.emplace_back(upload.driver);
     objects.freshness = Freshness(plan);
     objects.plan = std::move(plan);
     return objects;
@@ -187,7 +201,8 @@ Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& o
     upload.watch.enter(fmt::format("step `{}`", objects.plan.steps[objects.steps.size()].name));
     Result<StepObjects> made = create_step(upload, workshop, objects);
     if (made) {
-        objects.units = std::max({objects.units, made->program.units, made->background ? made->background->units : 0});
+        for (const Program* program : made->programs())
+            objects.units = std::max(objects.units, program->units);
         objects.steps.push_back(std::move(*made));
         upload.watch.check();
     } else {
@@ -201,10 +216,12 @@ Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& o
 
 void carry_over(Upload& upload, PlanObjects& from, PlanObjects& to, const Versions& versions)
 {
-    const std::vector<Freshness::Carried> carried = to.freshness.carry_over(to.plan, versions, from.freshness);
-    for (const Freshness::Carried& image : carried)
+    const Freshness::CarriedOver carried = to.freshness.carry_over(to.plan, versions, from.freshness);
+    for (const Freshness::Carried& image : carried.slots)
         std::swap(from.slots[image.from], to.slots[image.to]);
-    if (carried.empty())
+    for (const Freshness::Carried& query : carried.queries)
+        std::swap(from.queries[query.from], to.queries[query.to]);
+    if (carried.slots.empty())
         return;
     for (PlanObjects* objects : {&from, &to})
         for (size_t i = 0; i < objects->steps.size(); ++i)

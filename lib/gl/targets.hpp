@@ -23,14 +23,19 @@ struct StepObjects {
     FramebufferObject framebuffer;
     Program program;
     std::optional<Program> background{};  ///< of a step in two parts
+    std::optional<Program> when_skipped{}; ///< of a step that has a variant for what is black
     std::vector<ReadSamplers> samplers{}; ///< per read
     bool has_srgb_target = false;
+
+    /// All there are.
+    std::vector<Program*> programs();
 };
 
 struct PlanObjects {
     Plan plan;
     std::vector<TextureObject> slots;
     std::vector<StepObjects> steps;
+    std::vector<QueryObject> queries;
     Timing timing;
     Freshness freshness;
     int units = 1; ///< texture units that steps use, and uploads: at least unit 0
@@ -52,8 +57,8 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
 /// Errors   shader_failed, texture_units_exceeded, framebuffer_incomplete; the step then has empty objects.
 Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& objects);
 
-/// Gives a plan that is about to run the textures of another one that hold what it would draw; `versions` are its own. After
-/// an edit only what changed is drawn.
+/// Gives a plan that is about to run the textures of another one that hold what it would draw, and the queries that have
+/// counted it; `versions` are its own. After an edit only what changed is drawn.
 void carry_over(Upload& upload, PlanObjects& from, PlanObjects& to, const Versions& versions);
 
 /// Everything a plan's frames need.

@@ -10,6 +10,7 @@
 #include "core/glsl/module_text.hpp"
 #include "core/pass/glsl_scan.hpp"
 #include "passgraph/core/glsl_interface.hpp"
+#include "shader/explain.hpp"
 #include "shader/glslang_parse.hpp"
 #include "shader/interpreter.hpp"
 #include "shader/tree.hpp"
@@ -17,63 +18,6 @@
 
 namespace passgraph::shader {
 namespace {
-
-void add_globals(const GlslText& text, std::vector<std::string>& names)
-{
-    names.insert(names.end(), text.globals.begin(), text.globals.end());
-    for (const auto& include : text.includes)
-        add_globals(*include, names);
-}
-
-/// The name an author knows: those of common files carry a prefix, c3_name, in the text that is checked.
-std::string plain_name(const std::string& name, const GlslText& body)
-{
-    const size_t end = name.find_first_not_of("0123456789", 1);
-    if (!name.starts_with('c') || end == std::string::npos || end == 1 || name[end] != '_')
-        return name;
-    std::vector<std::string> known;
-    add_globals(body, known);
-    const std::string plain = name.substr(end + 1);
-    return std::find(known.begin(), known.end(), plain) == known.end() ? name : plain;
-}
-
-/// Turns glslang's "'glow' : no matching overloaded function found" into what the author forgot in the header.
-void explain(Error& error, const PassDeclaration& pass)
-{
-    if (!error.message.starts_with('\''))
-        return;
-    const std::string renamed = error.message.substr(1, error.message.find('\'', 1) - 1);
-    const std::string name = plain_name(renamed, pass.body);
-    error.message.replace(1, renamed.size(), name);
-    const bool is_unknown_call = error.message.find("no matching overloaded function") != std::string::npos;
-    const bool is_unknown_name = error.message.find("undeclared identifier") != std::string::npos;
-    if (!is_unknown_call && !is_unknown_name)
-        return;
-    for (const char* read : {"camera", "frame", "lights", "elements"}) {
-        const auto& names = glsl::accessor_names(read);
-        if (std::find(names.begin(), names.end(), name) != names.end()) {
-            error.hint = fmt::format("add \"{}\" to \"reads\"", read);
-            return;
-        }
-    }
-    std::vector<std::string> globals;
-    add_globals(pass.body, globals);
-    if (is_unknown_call && std::find(globals.begin(), globals.end(), name) == globals.end() &&
-        pass.find_input(name) < 0) {
-        error.code = "undeclared_input";
-        error.message = fmt::format("`{}` is called, but no input or function has that name", name);
-        std::vector<std::string> known = globals;
-        for (const InputPort& port : pass.inputs)
-            known.push_back(port.name);
-        const std::string near = closest(name, known);
-        error.hint = near.empty() ? fmt::format("declare it: \"inputs\": {{ \"{}\": \"radiance\" }}", name)
-                                  : fmt::format("did you mean `{}`?", near);
-    } else if (is_unknown_name) {
-        error.hint = "parameters are declared in the header's \"params\"";
-    } else {
-        error.hint = fmt::format("`{}` takes other arguments: inputs are called with one vec2", name);
-    }
-}
 
 /// Whether the preprocessor leaves the same text in every program: names are renamed there, and extensions differ.
 bool is_same_everywhere(const GlslText& text)
@@ -113,6 +57,7 @@ struct Entry {
     std::string text; ///< as an author writes it
     bool has_uv = false;
     std::vector<std::string> outs{}; ///< names, in order; empty: of any name
+    bool is_condition = false;       ///< of "skip": generated around the header's text
 };
 
 std::vector<Entry> entries_of(const PassDeclaration& pass)
@@ -125,7 +70,9 @@ std::vector<Entry> entries_of(const PassDeclaration& pass)
             entry.mangled += mangled_out(info(port.signal).components);
             entry.outs.push_back(port.name);
         }
-        return {entry};
+        if (pass.skip_when.empty())
+            return {entry};
+        return {entry, {.mangled = std::string(glsl::kSkips) + "(vf2;", .text = {}, .has_uv = true, .outs = {}, .is_condition = true}};
     }
     Entry vertex{
         pass.name + "_vertex(vf3;vf3;vf2;vf3;vf3;vf2;",
@@ -301,9 +248,25 @@ private:
             check_entry(entry, parsed->root(), is_access_due);
     }
 
+    /// A pixel is skipped by what it sees itself: reads elsewhere would have the whole pass gather for a condition's sake.
+    void check_condition(const Interpreter::Result& result)
+    {
+        for (size_t i = 0; i < result.readings.size(); ++i)
+            if (const Reading& reading = result.readings[i]; reading.near_pixel + reading.computed > 0 || reading.is_unbounded)
+                report({"skip_reads_elsewhere", fmt::format("\"when\" reads `{}` at another place than uv", pass_.inputs[i].name),
+                        fmt::format("call {}(uv)", pass_.inputs[i].name), pass_.skip_where});
+    }
+
     void check_entry(const Entry& entry, TIntermNode* root, bool is_access_due)
     {
         Interpreter interpreter(pass_, root);
+        if (entry.is_condition) {
+            const auto result = interpreter.run(entry.mangled, true);
+            check_condition(result);
+            for (size_t i = 0; is_access_due && i < result.readings.size(); ++i)
+                join_reading(i, result.readings[i]);
+            return;
+        }
         const std::string name = entry.mangled.substr(0, entry.mangled.find('('));
         const auto overloads = interpreter.overloads(name);
         const Location start{pass_.file, pass_.body.first_line, 0};

@@ -43,6 +43,7 @@ struct Timed {
     int frame = 0;
     std::vector<double> frame_ms{};
     std::vector<std::vector<double>> step_ms{}; ///< by step, then by frame
+    std::vector<StepTime> last{};               ///< of the last frame
 
     double median_ms() const { return median(frame_ms); }
     double lowest_ms() const { return *std::min_element(frame_ms.begin(), frame_ms.end()); }
@@ -63,6 +64,7 @@ Result<double> draw(Timed& timed, bool is_kept)
     timed.step_ms.resize(steps.size());
     for (size_t i = 0; i < steps.size(); ++i)
         timed.step_ms[i].push_back(steps[i].milliseconds);
+    timed.last = steps;
     return ms;
 }
 
@@ -104,6 +106,17 @@ Result<void> measure(std::vector<Timed>& plans, int frames)
     return {};
 }
 
+/// What the device made of a step that may be left out; "" when it drew all of it.
+std::string why_skipped(const Plan& plan, const StepTime& time, size_t step)
+{
+    const Plan::Step& row = plan.steps[step];
+    if (!time.was_skipped)
+        return "";
+    return fmt::format("  ({}: every pixel of {} is black)",
+                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
+                       plan.queries[static_cast<size_t>(row.skipped_by)].images);
+}
+
 void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
 {
     const Timed& first = plans.front();
@@ -111,7 +124,7 @@ void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
     fmt::print("{}\n{}x{}, {} frames, {:.1f} MB of images\n\n", first.renderer.device_name(), plan.extent.width, plan.extent.height,
                options.frames, static_cast<double>(plan.bytes) / (1024.0 * 1024.0));
     for (size_t i = 0; i < first.step_ms.size(); ++i)
-        fmt::print("{:9.3f} ms  {}\n", median(first.step_ms[i]), plan.steps[i].name);
+        fmt::print("{:9.3f} ms  {}{}\n", median(first.step_ms[i]), plan.steps[i].name, why_skipped(plan, first.last[i], i));
     fmt::print("{:9.3f} ms  the frame (lowest {:.3f})\n", first.median_ms(), first.lowest_ms());
     if (plans.size() > 1)
         fmt::print("{:9.3f} ms  the frame without {}: this plan takes {:.3f} of it\n", plans[1].median_ms(), options.compared,
@@ -132,7 +145,7 @@ void print_json(const std::vector<Timed>& plans, const BenchOptions& options)
                    {"steps", Object::array()},
                    {"bytes", plan.bytes}};
     for (size_t i = 0; i < first.step_ms.size(); ++i)
-        json["steps"].push_back({{"name", plan.steps[i].name}, {"ms", median(first.step_ms[i])}});
+        json["steps"].push_back({{"name", plan.steps[i].name}, {"ms", median(first.step_ms[i])}, {"skipped", first.last[i].was_skipped}});
     if (plans.size() > 1)
         json["compared"] = {{"off", options.compared}, {"frame_ms", frame_json(plans[1])}, {"ratio", first.median_ms() / plans[1].median_ms()}};
     fmt::print("{}\n", json_text(json));

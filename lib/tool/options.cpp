@@ -58,7 +58,7 @@ std::string refuse_no_extent(std::string& word)
 
 std::string refuse_unknown_steps(std::string& words)
 {
-    const std::vector<std::string> known = {"specialise", "unify", "cull", "fuse", "order", "alias", "guards"};
+    const std::vector<std::string> known = {"specialise", "skip", "unify", "cull", "fuse", "order", "alias", "guards"};
     for (const std::string& word : split(words, ','))
         if (std::find(known.begin(), known.end(), word) == known.end())
             return fmt::format("`{}` is no step of the compiler; {}", word, suggest(word, known, "steps"));
@@ -110,6 +110,8 @@ void CompilerOptions::apply_to(CompileOptions& options) const
             options.fuse = false;
         if (word == "specialise")
             options.specialise = false;
+        if (word == "skip")
+            options.skipping = Skipping::never;
         if (word == "cull")
             options.cull = false;
         if (word == "alias")
@@ -159,7 +161,7 @@ void add_to(CLI::App& command, SourceOptions& options)
 void add_to(CLI::App& command, CompilerOptions& options)
 {
     add_steps(command, "--off", options.off,
-              "Compiler steps to leave out: specialise, fuse, cull, alias, guards (unify and order change nothing in this version)");
+              "Compiler steps to leave out: specialise, skip, fuse, cull, alias, guards (unify and order change nothing in this version)");
 }
 
 void add_to(CLI::App& command, DeviceOptions& options)

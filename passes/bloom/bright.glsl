@@ -9,6 +9,8 @@
   },
   "identity": { "when": "threshold == 0", "is": "image" },
   "black": ["image"],
+  // The sum that share_above_threshold cuts off at 0, operation by operation: at 0 or below, the share is exactly 0.
+  "skip": { "when": "luminance(image(uv)) - threshold + threshold * knee <= 0.0", "value": 0 },
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror"] },
   "source": "Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare"
 }*/

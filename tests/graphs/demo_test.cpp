@@ -149,9 +149,9 @@ TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][de
 {
     const auto plan = compile(sample_graph("deferred_demo/bloom.graph.json"));
     REQUIRE(plan);
-    REQUIRE(plan->steps.size() == 8);
+    REQUIRE(plan->steps.size() == 9);
     CHECK(plan->steps[1].name == "lit.share"); // the split-sum table, which reads nothing
-    CHECK(plan->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view + bright");
+    CHECK(plan->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view + bright + bright.not_black");
 }
 
 TEST_CASE("the photo stack brightens, glows and frames any picture", "[graphs][photo]")

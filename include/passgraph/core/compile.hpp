@@ -1,6 +1,7 @@
 // From a graph to a plan: which draws, in which order, into which memory.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -17,11 +18,19 @@ struct Device {
     int max_color_targets = 8;
 };
 
+/// Whether passes that say where they are black ("skip" in the header) may keep what follows from them from being drawn.
+enum class Skipping : std::uint8_t {
+    as_needed, ///< the device counts their pixels, and leaves out what would be black
+    never,     ///< everything is drawn
+    always,    ///< they are taken to be black everywhere, whether they are or not: for comparing
+};
+
 struct CompileOptions {
     Extent extent{1280, 720};                        ///< of the frame: geometry passes, and graphs without pictures
     std::map<std::string, Extent> picture_extents{}; ///< of imported pictures, by name; else `extent`
     Device device{16384, 32, 8};
     bool specialise = true; ///< false: what a scene or a pixel does not need is done all the same
+    Skipping skipping = Skipping::as_needed; ///< as `never` when `specialise` is off
     bool fuse = true;  ///< false: every pass is a step of its own
     bool cull = true;  ///< false: passes that nothing needs run all the same
     bool alias = true; ///< false: every stored image has its own slot

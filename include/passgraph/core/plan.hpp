@@ -1,6 +1,7 @@
 // The compiled result: steps in order, memory, formats, programs, and the reason for every decision. Plain data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -59,6 +60,7 @@ struct Plan {
     struct Target {
         int slot = 0;
         std::string image; ///< or several, joined with " + "
+        std::array<float, 4> black{}; ///< what 0 is stored as
     };
 
     /// One draw of a full-screen triangle, or one traversal of the scene's elements.
@@ -75,6 +77,11 @@ struct Plan {
         /// A draw in two parts: `fragment` where this depth buffer holds a surface, `background` where it holds none.
         int tested_depth_slot = -1;
         std::string background;
+        int counts = -1;     ///< the query that asks whether any pixel of this step is not black; black ones are not drawn
+        int skipped_by = -1; ///< nothing is drawn, and the targets are black, if this query counted no pixel
+        /// Not "": if `skipped_by` counted no pixel this fragment stage is drawn instead; it takes what is black for 0.
+        std::string when_skipped;
+        std::string black_images; ///< that it takes for 0, for people
         Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
         std::string vertex;  ///< complete GLSL 3.30 sources
         std::string fragment;
@@ -89,6 +96,12 @@ struct Plan {
         Signal signal = Signal::radiance;
         Codec codec;
         Extent extent;
+    };
+
+    /// Asks the device whether any pixel of a step's images is not black. `index` of `counts` and `skipped_by`.
+    struct Query {
+        int step = 0;
+        std::string images; ///< for people
     };
 
     /// An edge that stayed a texture, and why.
@@ -107,6 +120,7 @@ struct Plan {
     std::vector<Import> imports;
     std::vector<Slot> slots;
     std::vector<Step> steps;
+    std::vector<Query> queries;
     std::vector<Output> outputs;
     std::vector<Boundary> boundaries;
     std::vector<Culled> culled;

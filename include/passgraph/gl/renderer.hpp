@@ -46,6 +46,7 @@ struct StepTime {
     std::string step;
     double milliseconds = 0.0;
     bool was_drawn = true; ///< false: its images were there already
+    bool was_skipped = false; ///< the device left it out, or drew its simpler variant, as what it reads is black
 };
 
 struct RendererOptions {

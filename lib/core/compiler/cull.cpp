@@ -12,6 +12,8 @@ Liveness cull(const TypedGraph& graph, bool is_on)
     live.is_live.assign(static_cast<size_t>(graph.node_count()), !is_on);
     for (const GraphOutput& output : graph.outputs)
         live.is_live[static_cast<size_t>(output.from.node)] = true;
+    for (const TypedGraph::Watch& watch : graph.watches) // of passes that are needed
+        live.is_live[static_cast<size_t>(watch.counter)] = true;
     for (int index = graph.node_count() - 1; index >= 0; --index) {
         if (!live.is_live[static_cast<size_t>(index)])
             continue;

@@ -14,6 +14,10 @@
 
 namespace passgraph::compiler {
 
+struct ImageLess {
+    bool operator()(ImageRef a, ImageRef b) const { return a.node != b.node ? a.node < b.node : a.output < b.output; }
+};
+
 /// An output of a node with everything generic resolved.
 struct TypedImage {
     Signal signal = Signal::radiance;
@@ -27,6 +31,13 @@ struct TypedGraph {
     std::vector<GraphOutput> outputs;
     std::vector<std::vector<TypedImage>> images;
     const PassLibrary* library = nullptr; ///< where derivations are found
+
+    /// A node that is 0 everywhere exactly when an image is; only its pixels are counted.
+    struct Watch {
+        ImageRef image;
+        int counter = 0;
+    };
+    std::vector<Watch> watches{};
 
     const GraphNode& node(int index) const { return nodes[static_cast<size_t>(index)]; }
     std::string name(ImageRef image) const { return image_name(nodes, image); }
@@ -98,8 +109,19 @@ struct Draws {
 /// Indices into Draws::draws, in the order of execution.
 using Order = std::vector<int>;
 
-struct ImageLess {
-    bool operator()(ImageRef a, ImageRef b) const { return a.node != b.node ? a.node < b.node : a.output < b.output; }
+/// What a draw has to do with a query: does any pixel that a draw stores differ from black?
+struct Condition {
+    int counts = -1;     ///< the query that this draw answers; -1: none
+    int skipped_by = -1; ///< the query that must count a pixel, or else this draw is left out; -1: none
+    /// Not empty: nothing is left out, but a simpler variant is drawn instead, for which these images are 0.
+    std::set<ImageRef, ImageLess> black_inputs{};
+
+    bool is_free() const { return counts < 0 && skipped_by < 0; }
+};
+
+struct Conditions {
+    std::vector<Condition> of_draw;   ///< by draw
+    std::vector<std::string> counted; ///< by query: the images whose pixels it counts
 };
 
 /// When a target is needed: from the draw that writes it to the last that reads it, as positions in the order.
@@ -124,12 +146,26 @@ Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& li
 /// Sets Draw::tested_depth where passes of a draw do nothing at some pixels.
 Draws split_by_depth(const TypedGraph& graph, const Encoding& encoding, Draws draws, bool is_on);
 Order order_draws(const TypedGraph& graph, const Draws& draws);
+using Images = std::set<ImageRef, ImageLess>;
+/// Whether anything may be left out by what the device counts.
+bool may_skip_at_all(const CompileOptions& options);
+/// Whether a node is a pass that says where it is black, and black means 0 in its signal.
+bool may_skip(const TypedGraph& graph, int node);
+/// The given images, and all that are 0 everywhere when these are.
+Images blackened_by(const TypedGraph& graph, Images black);
+/// Whether a full-screen draw leaves nothing in memory but these images, and 0 as the code of 0.
+bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& draw, const Images& images);
+/// Adds what counts the pixels of passes whose own draw cannot, before fusion.
+TypedGraph watch(const TypedGraph& graph, const CompileOptions& options);
+/// Which draws the device leaves out where nothing is bright.
+Conditions find_conditions(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+                           const CompileOptions& options);
 std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& encoding, const Draws& draws,
                                      const Order& order);
 Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes,
                bool is_shared);
 Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
-           const Slots& slots, const CompileOptions& options);
+           const Conditions& conditions, const Slots& slots, const CompileOptions& options);
 
 /// What a draw writes: where its stored images stand, and geometry's depth buffer.
 std::set<TargetRef> targets_of(const Encoding& encoding, const Draw& draw);

@@ -16,9 +16,10 @@ namespace {
 class StepLowering {
 public:
     StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
-                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, const CompileOptions& options)
+                 const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, const Condition& condition,
+                 const CompileOptions& options)
         : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw),
-          guards_imports_(options.import_guards)
+          condition_(condition), options_(options)
     {
         source_.has_guards = options.guards;
     }
@@ -32,8 +33,10 @@ public:
             step_.tested_depth_slot = slots_.slot_of.at(*draw_.tested_depth);
             source_.has_background = true;
         }
+        add_condition();
         glsl::StepText text = glsl::assemble(source_);
         step_.background = std::move(text.background);
+        step_.when_skipped = std::move(text.when_skipped);
         step_.vertex = std::move(text.vertex);
         step_.fragment = std::move(text.fragment);
         step_.sources = std::move(text.sources);
@@ -61,6 +64,7 @@ private:
         instance.params = node.params;
         instance.is_static = node.is_static;
         instance.selections = node.selections;
+        instance.is_black = options_.skipping == Skipping::always && options_.specialise && !node.pass->skip_when.empty();
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
             instance.signals.push_back(image.signal);
         for (size_t i = 0; i < node.inputs.size(); ++i)
@@ -98,7 +102,8 @@ private:
             return source;
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
-        source.is_import = guards_imports_ && imports_.contains(wire->from);
+        source.is_import = options_.import_guards && imports_.contains(wire->from);
+        source.is_black_when_skipped = condition_.black_inputs.contains(wire->from);
         source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
                                  encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
         for (const Layout::Place& place : encoding_.of(wire->from).places)
@@ -152,8 +157,21 @@ private:
                 continue;
             }
             source_.targets.push_back(stored_in(target));
-            step_.targets.push_back({slot, target_name(graph_, encoding_, target)});
+            step_.targets.push_back(
+                {slot, target_name(graph_, encoding_, target), glsl::black_codes(source_.targets.back())});
         }
+    }
+
+    void add_condition()
+    {
+        step_.counts = condition_.counts;
+        step_.skipped_by = condition_.skipped_by;
+        source_.discards_black = condition_.counts >= 0;
+        source_.has_skipped_variant = !condition_.black_inputs.empty();
+        std::vector<std::string> names;
+        for (const ImageRef image : condition_.black_inputs)
+            names.push_back(graph_.name(image));
+        step_.black_images = fmt::format("{}", fmt::join(names, " and "));
     }
 
     /// Every image with a place in the target: which of its codes stand in which channels.
@@ -182,7 +200,8 @@ private:
     const Slots& slots_;
     const std::map<ImageRef, int, ImageLess>& imports_;
     const Draw& draw_;
-    bool guards_imports_;
+    const Condition& condition_;
+    const CompileOptions& options_;
     Plan::Step step_;
     glsl::StepSource source_;
     std::map<int, int> instance_of_;
@@ -217,7 +236,7 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
 } // namespace
 
 Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
-           const Slots& slots, const CompileOptions& options)
+           const Conditions& conditions, const Slots& slots, const CompileOptions& options)
 {
     Plan plan;
     plan.extent = options.extent;
@@ -227,9 +246,15 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     plan.bytes_unshared = slots.bytes_unshared;
     plan.boundaries = draws.boundaries;
     plan.inlined = draws.inlined;
-    for (const int draw : order)
+    plan.queries.resize(conditions.counted.size());
+    for (const int draw : order) {
+        const Condition& condition = conditions.of_draw[static_cast<size_t>(draw)];
         plan.steps.push_back(
-            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], options).run());
+            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], condition, options).run());
+        if (condition.counts >= 0)
+            plan.queries[static_cast<size_t>(condition.counts)] = {
+                static_cast<int>(plan.steps.size()) - 1, conditions.counted[static_cast<size_t>(condition.counts)]};
+    }
     for (const GraphOutput& output : graph.outputs) {
         Plan::Output result;
         result.name = output.name;

@@ -13,8 +13,8 @@ namespace {
 
 using Renames = std::vector<std::pair<std::string, std::string>>;
 
-/// The pixels that a fragment stage is for.
-enum class Part { whole, surfaces, background };
+/// The pixels, or the case, that a fragment stage is for.
+enum class Part { whole, surfaces, background, when_skipped };
 
 std::string prefix_of(int number) { return fmt::format("p{}_", number); }
 
@@ -49,8 +49,9 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
     const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
     const auto add = [&](const std::string& suffix, const std::string& parameters, std::string_view function,
                          std::string_view place) {
-        const bool is_known = part == Part::background && source.is_tested_depth;
-        const std::string whole = is_known                                    ? "0.0"
+        const bool is_zero = (part == Part::background && source.is_tested_depth) ||
+                             (part == Part::when_skipped && source.is_black_when_skipped);
+        const std::string whole = is_zero ? fmt::format("{}(0.0)", glsl_type(info(source.signal).components))
                                   : source.kind == InputSource::Kind::value   ? source.name
                                   : source.kind == InputSource::Kind::texture ? texture_value(source, function, place)
                                                                               : constant_value(port);
@@ -183,6 +184,18 @@ void add_idle_values(ProgramText& text, const Instance& instance, bool has_guard
     }
 }
 
+/// The value of a pass of one output: 0 where its "skip" says so, else what its function returns.
+std::string only_value(const Instance& instance)
+{
+    const PassDeclaration& pass = *instance.pass;
+    const std::string prefix = prefix_of(instance.number);
+    const std::string call = fmt::format("{}{}(uv)", prefix, pass.name);
+    const std::string zero = fmt::format("{}(0.0)", glsl_type(info(pass.outputs.front().signal).components));
+    if (instance.is_black)
+        return zero;
+    return pass.skip_when.empty() ? call : fmt::format("({}{}(uv) ? {} : {})", prefix, kSkips, zero, call);
+}
+
 /// Evaluates one pass into its file-scope values.
 void add_evaluation(ProgramText& text, const Instance& instance, const StepSource& step, Part part)
 {
@@ -196,7 +209,7 @@ void add_evaluation(ProgramText& text, const Instance& instance, const StepSourc
     const std::string prefix = prefix_of(instance.number);
     if (kind == PassKind::image && pass.outputs.size() == 1) {
         text.add_line(fmt::format("    {} = {};", value_name(instance, 0),
-                                  guarded_output(instance, 0, fmt::format("{}{}(uv)", prefix, pass.name), has_guards)));
+                                  guarded_output(instance, 0, only_value(instance), has_guards)));
         return;
     }
     std::string call =
@@ -227,7 +240,20 @@ void add_instance(ProgramText& text, const Instance& instance, Part part)
         text.add_line(fmt::format("{} {};", glsl_type(info(instance.signals[i]).components), value_name(instance, i)));
     add_inputs(text, instance, renames, part);
     add_settings(text, instance, renames);
-    text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
+    const std::string prefix = prefix_of(instance.number);
+    text.add_module(instance.pass->body, prefix, renames);
+    if (!instance.pass->skip_when.empty())
+        text.add_module(skip_text(*instance.pass), prefix, std::move(renames));
+}
+
+/// Leaves a pixel out if all that it would store is 0.
+void add_black_discard(ProgramText& text, const StepSource& step)
+{
+    std::string all;
+    for (const std::vector<StoredValue>& target : step.targets)
+        for (const StoredValue& stored : target)
+            all += fmt::format("{}{} == {}(0.0)", all.empty() ? "" : " && ", stored.value, glsl_type(info(stored.signal).components));
+    text.add_line(fmt::format("    if ({})\n        discard;", all));
 }
 
 /// Codes of one value fill a target; those of several share it.
@@ -268,6 +294,8 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
     for (const Instance& instance : step.instances)
         add_evaluation(text, instance, step, part);
+    if (step.discards_black)
+        add_black_discard(text, step);
     for (size_t i = 0; i < step.targets.size(); ++i)
         add_target(text, step.targets[i], i);
     text.add_line("}");
@@ -327,46 +355,6 @@ std::string uniform_name(int instance_number, std::string_view param)
     return fmt::format("p{}_{}", instance_number, param);
 }
 
-std::string_view glsl_type_of(ParamType type)
-{
-    switch (type) {
-    case ParamType::float_:
-        return "float";
-    case ParamType::int_:
-    case ParamType::enum_:
-        return "int";
-    case ParamType::bool_:
-        return "bool";
-    case ParamType::vec2:
-        return "vec2";
-    case ParamType::color:
-    case ParamType::vec3:
-        return "vec3";
-    case ParamType::vec4:
-        return "vec4";
-    }
-    return "float";
-}
-
-std::string literal(ParamType type, const Value& value)
-{
-    switch (type) {
-    case ParamType::bool_:
-        return value.v[0] != 0.0 ? "true" : "false";
-    case ParamType::int_:
-    case ParamType::enum_:
-        return std::to_string(static_cast<long long>(value.v[0]));
-    case ParamType::float_:
-        return fmt::format("{:#}", static_cast<float>(value.v[0]));
-    default:
-        break;
-    }
-    std::string text = std::string(glsl_type_of(type)) + "(";
-    for (int i = 0; i < component_count(type); ++i)
-        text += fmt::format("{}{:#}", i > 0 ? ", " : "", static_cast<float>(value.v[static_cast<size_t>(i)]));
-    return text + ")";
-}
-
 StepText assemble(const StepSource& step)
 {
     StepText text;
@@ -374,6 +362,8 @@ StepText assemble(const StepSource& step)
     text.fragment = fragment_text(step, text.sources, step.has_background ? Part::surfaces : Part::whole);
     if (step.has_background)
         text.background = fragment_text(step, text.sources, Part::background);
+    if (step.has_skipped_variant)
+        text.when_skipped = fragment_text(step, text.sources, Part::when_skipped);
     return text;
 }
 

@@ -1,6 +1,7 @@
 // Complete GLSL programs from passes: each pass's names renamed for its place in the step.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct InputSource {
     Extent extent;
     bool is_import = false; ///< guarded where read
     bool is_tested_depth = false; ///< 0 in the background part
+    bool is_black_when_skipped = false; ///< 0 in the variant for that
 };
 
 /// One pass of a step. `number` makes its names unique: functions pN_name, values vN_output.
@@ -39,6 +41,7 @@ struct Instance {
     std::vector<Value> params;       ///< as pass->params
     std::vector<bool> is_static;     ///< as pass->params
     std::vector<int> selections;     ///< as pass->selections
+    bool is_black = false;           ///< its only output is taken to be 0
 };
 
 /// Codes of one value that stand in a target.
@@ -62,6 +65,8 @@ struct StepSource {
     Reads reads;
     PassKind kind = PassKind::image;
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
+    bool discards_black = false; ///< pixels whose stored values all are 0 are not drawn
+    bool has_skipped_variant = false; ///< a second text for which inputs are black that may be
     LightFacts lights;
     bool has_guards = true; ///< values are brought into their signal's domain
 };
@@ -70,6 +75,7 @@ struct StepText {
     std::string vertex;
     std::string fragment;
     std::string background;           ///< the fragment stage where there is no surface; "" for draws of one part
+    std::string when_skipped;         ///< the fragment stage for which inputs are black that may be; "" without such
     std::vector<std::string> sources; ///< by #line source number
 };
 
@@ -77,6 +83,13 @@ std::string value_name(const Instance& instance, size_t output);
 std::string uniform_name(int instance_number, std::string_view param);
 
 StepText assemble(const StepSource& step);
+
+/// What a target holds where all of its values are 0, all of them plain.
+std::array<float, 4> black_codes(const std::vector<StoredValue>& values);
+
+/// The condition of a pass's "skip" as a function `passgraph_skips(uv)` that stands in the scope of its body.
+GlslText skip_text(const PassDeclaration& pass);
+inline constexpr const char* kSkips = "passgraph_skips";
 
 /// How many numbers a pass sees of an input, and what it sees of one to which nothing is wired.
 int seen_components(const InputPort& port);

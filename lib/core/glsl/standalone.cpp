@@ -52,7 +52,12 @@ std::string standalone_text(const PassDeclaration& pass, const std::vector<int>&
     }
     GlslText body = pass.body;
     body.globals.clear();
-    text.add_module(body, "", std::move(renames));
+    text.add_module(body, "", renames);
+    if (!pass.skip_when.empty()) {
+        GlslText skip = skip_text(pass);
+        skip.globals.clear();
+        text.add_module(skip, "", std::move(renames));
+    }
     text.add_line("void main() {}");
     return text.take();
 }

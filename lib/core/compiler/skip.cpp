@@ -1,0 +1,159 @@
+// Draws that the device itself leaves out: an occlusion query counts the pixels of one draw that are not black, and what
+// follows from black alone is drawn only if there are any.  No value is read back, so no frame waits for the host.
+//
+// Proof that no bit changes.  A counting draw clears its targets to the code of 0 and discards the pixels whose stored values
+// all are 0: the others are drawn as ever.  If none was drawn, its images are 0 everywhere, and so, by the declarations of
+// the passes in between, is every image that `blackened_by` finds.  A conditional draw stores only such images and is cleared
+// first; a draw in two variants sees only such images as the constant 0.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/compiler/ir.hpp"
+
+namespace passgraph::compiler {
+namespace {
+
+/// A value of 0 comes out of the guard as +0.  Others might keep the sign of a zero, or make something else of it.
+bool keeps_black(const TypedImage& image) { return info(image.signal).guard == Guard::zero_to_cap; }
+
+/// The input that an output's alpha is carried from; -1: it has none, or computes it.
+int alpha_input(const TypedGraph& graph, int node, int output)
+{
+    const PassDeclaration& pass = *graph.node(node).pass;
+    if (pass.outputs[static_cast<size_t>(output)].signal != Signal::color || !info(graph.image({node, output}).signal).has_alpha)
+        return -1;
+    const auto port = std::find_if(pass.inputs.begin(), pass.inputs.end(), [](const InputPort& p) { return p.signal == Signal::color; });
+    return static_cast<int>(port - pass.inputs.begin());
+}
+
+} // namespace
+
+/// Without guards a stored 0 may have a sign, which a cleared one has not.
+bool may_skip_at_all(const CompileOptions& options)
+{
+    return options.skipping == Skipping::as_needed && options.specialise && options.guards;
+}
+
+bool may_skip(const TypedGraph& graph, int node)
+{
+    return graph.is_pass(node) && !graph.node(node).pass->skip_when.empty() && keeps_black(graph.image({node, 0}));
+}
+
+bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& draw, const Images& images)
+{
+    return graph.node(draw.nodes.front()).pass->kind == PassKind::image &&
+           std::all_of(draw.stored.begin(), draw.stored.end(), [&](ImageRef image) {
+               return images.contains(image) && encoding.of(image).codec.packing == Packing::plain;
+           });
+}
+
+/// Producers come first, so one sweep is enough.
+Images blackened_by(const TypedGraph& graph, Images black)
+{
+    const auto is_black = [&](int node, int input) {
+        const auto& wire = graph.node(node).inputs[static_cast<size_t>(input)];
+        return wire && black.contains(wire->from);
+    };
+    for (int node = 0; node < graph.node_count(); ++node) {
+        for (int output = 0; graph.is_pass(node) && output < static_cast<int>(graph.images[static_cast<size_t>(node)].size()); ++output) {
+            const std::vector<int>& inputs = graph.node(node).pass->black_inputs(output);
+            const int alpha = alpha_input(graph, node, output);
+            const bool follows = !inputs.empty() && keeps_black(graph.image({node, output})) &&
+                                 std::all_of(inputs.begin(), inputs.end(), [&](int input) { return is_black(node, input); }) &&
+                                 (alpha < 0 || is_black(node, alpha));
+            if (follows)
+                black.insert({node, output});
+        }
+    }
+    return black;
+}
+
+namespace {
+
+class Search {
+public:
+    Search(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order)
+        : graph_(graph), encoding_(encoding), draws_(draws), order_(order)
+    {
+        result_.of_draw.resize(draws.draws.size());
+    }
+
+    Conditions run()
+    {
+        for (int node = 0; node < graph_.node_count(); ++node)
+            if (may_skip(graph_, node) && draws_.draw_of[static_cast<size_t>(node)] >= 0)
+                find_counting({node, 0});
+        return std::move(result_);
+    }
+
+private:
+    const Draw& draw_at(size_t time) const { return draws_.draws[static_cast<size_t>(order_[time])]; }
+    Condition& condition_at(size_t time) { return result_.of_draw[static_cast<size_t>(order_[time])]; }
+
+    /// A draw that was made for it, or the first that is black when the pass is: the earlier, the more is left out.
+    void find_counting(ImageRef image)
+    {
+        const Images black = blackened_by(graph_, {image});
+        const auto watch = std::find_if(graph_.watches.begin(), graph_.watches.end(),
+                                        [&](const TypedGraph::Watch& w) { return w.image == image; });
+        const int made = watch == graph_.watches.end() ? -1 : draws_.draw_of[static_cast<size_t>(watch->counter)];
+        for (size_t time = 0; time < order_.size(); ++time) {
+            const Draw& draw = draw_at(time);
+            if (made >= 0 ? order_[time] != made : !stores_only(graph_, encoding_, draw, black))
+                continue;
+            if (condition_at(time).is_free())
+                find_dependent(time, made >= 0 ? Images{image} : Images{draw.stored.begin(), draw.stored.end()});
+            return;
+        }
+    }
+
+    /// `counted`: what is 0 everywhere when the counting draw draws no pixel.
+    void find_dependent(size_t counting, const Images& counted)
+    {
+        const Images black = blackened_by(graph_, counted);
+        const int query = static_cast<int>(result_.counted.size());
+        bool has_any = false;
+        for (size_t time = counting + 1; time < order_.size(); ++time) {
+            const Draw& draw = draw_at(time);
+            Condition& condition = condition_at(time);
+            if (!condition.is_free() || graph_.node(draw.nodes.front()).pass->kind != PassKind::image)
+                continue;
+            const bool is_conditional = stores_only(graph_, encoding_, draw, black);
+            if (!is_conditional && !draw.tested_depth) // two parts of two variants each would be four programs
+                for (const ExternalRead& read : external_reads(graph_, draw.nodes))
+                    if (black.contains(read.image))
+                        condition.black_inputs.insert(read.image);
+            if (is_conditional || !condition.black_inputs.empty()) {
+                condition.skipped_by = query;
+                has_any = true;
+            }
+        }
+        if (!has_any)
+            return;
+        condition_at(counting).counts = query;
+        std::vector<std::string> names;
+        for (const ImageRef image : counted)
+            names.push_back(graph_.name(image));
+        result_.counted.push_back(fmt::format("{}", fmt::join(names, " and ")));
+    }
+
+    const TypedGraph& graph_;
+    const Encoding& encoding_;
+    const Draws& draws_;
+    const Order& order_;
+    Conditions result_;
+};
+
+} // namespace
+
+Conditions find_conditions(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+                           const CompileOptions& options)
+{
+    if (!may_skip_at_all(options))
+        return {std::vector<Condition>(draws.draws.size()), {}};
+    return Search(graph, encoding, draws, order).run();
+}
+
+} // namespace passgraph::compiler
