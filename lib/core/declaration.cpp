@@ -118,4 +118,43 @@ std::vector<std::string> PassLibrary::names() const
     return all;
 }
 
+std::optional<Formula::Number> find_setting(const PassDeclaration& pass, const std::vector<Value>& params,
+                                            const std::vector<int>& selections, std::string_view name)
+{
+    const auto item_of = [&](const auto& owner) -> std::optional<Formula::Number> {
+        for (size_t item = 0; item < owner.items.size(); ++item)
+            if (name == owner.name + "_" + owner.items[item])
+                return Formula::Number{{static_cast<double>(item)}, 1};
+        return std::nullopt;
+    };
+    for (size_t i = 0; i < pass.params.size(); ++i) {
+        if (pass.params[i].name == name)
+            return Formula::Number{params[i].v, component_count(pass.params[i].type)};
+        if (const auto item = item_of(pass.params[i]))
+            return item;
+    }
+    for (size_t i = 0; i < pass.selections.size(); ++i) {
+        if (pass.selections[i].name == name)
+            return Formula::Number{{static_cast<double>(selections[i])}, 1};
+        if (const auto item = item_of(pass.selections[i]))
+            return item;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> formula_names(const PassDeclaration& pass)
+{
+    std::vector<std::string> names;
+    const auto add = [&](const auto& owner) {
+        names.push_back(owner.name);
+        for (const std::string& item : owner.items)
+            names.push_back(owner.name + "_" + item);
+    };
+    for (const Param& param : pass.params)
+        add(param);
+    for (const Selection& selection : pass.selections)
+        add(selection);
+    return names;
+}
+
 } // namespace passgraph

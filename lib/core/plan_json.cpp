@@ -60,13 +60,9 @@ Object step_json(const Plan::Step& step, bool with_glsl)
         json["targets"].push_back({{"slot", target.slot}, {"image", target.image}});
     for (const Plan::Uniform& uniform : step.uniforms)
         json["uniforms"].push_back(uniform_json(uniform));
-    const std::array<std::pair<bool, const char*>, 4> host = {{{step.host.camera, "camera"},
-                                                               {step.host.lights, "lights"},
-                                                               {step.host.frame, "frame"},
-                                                               {step.host.elements, "elements"}}};
-    for (const auto& [is_read, what] : host)
-        if (is_read)
-            json["host"].push_back(what);
+    for (const ReadRow& row : kReads)
+        if (step.host.*row.member)
+            json["host"].push_back(row.name);
     if (with_glsl) {
         json["vertex"] = step.vertex;
         json["fragment"] = step.fragment;
@@ -88,7 +84,7 @@ std::string to_json(const Plan& plan, bool with_glsl)
                    {"extent", extent_json(plan.extent)},
                    {"bytes", plan.bytes},
                    {"bytes_unshared", plan.bytes_unshared}};
-    for (const char* list : {"imports", "slots", "steps", "queries", "inlined", "boundaries", "culled", "outputs"})
+    for (const char* list : {"imports", "slots", "steps", "queries", "inlined", "boundaries", "culled", "decisions", "outputs"})
         json[list] = Object::array();
     for (const Plan::Import& import : plan.imports)
         json["imports"].push_back({{"name", import.name},
@@ -108,6 +104,12 @@ std::string to_json(const Plan& plan, bool with_glsl)
             {{"image", boundary.image}, {"reader", boundary.reader}, {"reason", boundary.reason}});
     for (const Plan::Culled& culled : plan.culled)
         json["culled"].push_back({{"pass", culled.pass}, {"reason", culled.reason}});
+    for (const Plan::Decision& decision : plan.decisions)
+        json["decisions"].push_back({{"what", decision.what}, {"reason", decision.reason}});
+    json["facts"] = Object::object();
+    for (const FactRow& row : all_facts())
+        if (row.set != nullptr)
+            json["facts"][std::string(row.name)] = std::isfinite(row.get(plan.facts)) ? Object(row.get(plan.facts)) : Object(nullptr);
     for (const Plan::Output& output : plan.outputs)
         json["outputs"].push_back({{"name", output.name},
                                    {"image", output.image},

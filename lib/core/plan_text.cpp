@@ -109,6 +109,10 @@ std::string to_text(const Plan& plan)
         text += "not run\n";
     for (const Plan::Culled& culled : plan.culled)
         text += fmt::format("  {}: {}\n", culled.pass, culled.reason);
+    if (!plan.decisions.empty())
+        text += "not needed here\n";
+    for (const Plan::Decision& decision : plan.decisions)
+        text += fmt::format("  {}: {}\n", decision.what, decision.reason);
     text += "outputs\n";
     for (const Plan::Output& output : plan.outputs)
         text += fmt::format("  {}: {} as {} {}, {}x{}\n", output.name, output.image, info(output.signal).name,

@@ -69,4 +69,11 @@ bool accepts(Signal port, Signal image)
     return port == image || (port == Signal::color && info(image).is_generic_color);
 }
 
+Domain domain_of(Signal signal)
+{
+    const SignalInfo& row = info(signal);
+    const bool is_signed = row.guard == Guard::finite || row.guard == Guard::unit_vector;
+    return {is_signed ? -static_cast<double>(row.cap) : 0.0, static_cast<double>(row.cap)};
+}
+
 } // namespace passgraph

@@ -59,10 +59,14 @@ void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObje
     }
 }
 
-void bind_scene(const DrawInputs& inputs, const SceneUnits& units)
+void bind_lights(const DrawInputs& inputs, const Program& program)
 {
-    if (units.lights >= 0 && inputs.scene != nullptr)
-        inputs.state.texture(units.lights, GL_TEXTURE_BUFFER, inputs.scene->lights.texture.id());
+    if (inputs.scene == nullptr)
+        return;
+    if (program.scene.lights >= 0)
+        inputs.state.texture(program.scene.lights, GL_TEXTURE_BUFFER, inputs.scene->lights.texture.id());
+    if (program.light_rows > 0)
+        inputs.gl.Uniform4fv(program.light_rows_location, program.light_rows, &inputs.scene->light_rows.front().x);
 }
 
 void bind_atlas(const DrawInputs& inputs, const SceneUnits& units)
@@ -111,7 +115,7 @@ void use(const DrawInputs& inputs, const Plan::Step& step, const StepObjects& ob
 {
     inputs.state.use_program(program.id());
     bind_reads(inputs, step, objects, program);
-    bind_scene(inputs, program.scene);
+    bind_lights(inputs, program);
     send_uniforms(inputs.gl, program);
 }
 

@@ -145,6 +145,10 @@ Result<void> Imports::set_cube(Upload& upload, std::string_view name, const std:
     const auto rgba = cube_faces(faces, texture.import.signal, fmt::format("`{}`", name), upload.driver.limits, upload.scrubs_imports);
     if (!rgba)
         return tl::unexpected(rgba.error());
+    double brightest = 0.0;
+    for (const Picture& face : *rgba)
+        for (size_t i = 0; i < face.texels.size(); ++i)
+            brightest = i % 4 == 3 ? brightest : std::max(brightest, static_cast<double>(face.texels[i]));
     upload.watch.enter(fmt::format("import `{}`", name));
     Cube made = create_cube(upload, *rgba);
     upload.watch.check();
@@ -153,6 +157,7 @@ Result<void> Imports::set_cube(Upload& upload, std::string_view name, const std:
         return tl::unexpected(std::move(errors));
     texture.owned = std::move(made.texture);
     texture.harmonics = made.harmonics;
+    texture.brightest = brightest;
     texture.id = texture.owned.id();
     texture.version = next_version();
     texture.has_levels = true;

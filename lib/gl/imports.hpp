@@ -19,6 +19,7 @@ struct ImportTexture {
     std::uint64_t version = 0; ///< another whenever the host supplies anew; 0: may change any time
     TextureObject owned{}; ///< empty for a host's own texture
     Harmonics harmonics{}; ///< of a cube
+    double brightest = Facts::kUnknown; ///< component of a cube
 
     bool is_cube() const { return import.kind == Plan::Import::Kind::cube || import.kind == Plan::Import::Kind::sky; }
     GLenum target() const { return is_cube() ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }

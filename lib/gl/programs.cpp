@@ -125,6 +125,20 @@ Result<Program> create_program(Driver& driver, State& state, const Plan::Step& s
     return wire_program(driver, state, step, std::move(*linked));
 }
 
+namespace {
+
+/// A driver may keep fewer rows than the text declares, when the last are not read.
+void find_light_rows(const Functions& gl, Program& program)
+{
+    program.light_rows_location = gl.GetUniformLocation(program.id(), glsl::kLightRows);
+    constexpr GLsizei kMost = glsl::kFewLights * glsl::kLightTexels;
+    while (program.light_rows_location >= 0 && program.light_rows < kMost &&
+           gl.GetUniformLocation(program.id(), fmt::format("{}[{}]", glsl::kLightRows, program.light_rows).c_str()) >= 0)
+        ++program.light_rows;
+}
+
+} // namespace
+
 Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& step, std::shared_ptr<LinkedProgram> linked)
 {
     const Functions& gl = driver.gl;
@@ -150,6 +164,7 @@ Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& ste
     bind_block(gl, id, glsl::kFrameBlock, kFrameBinding);
     program.element_location = gl.GetUniformLocation(id, glsl::kElement);
     program.levels_location = gl.GetUniformLocation(id, glsl::kAtlasLevels);
+    find_light_rows(gl, program);
     for (const Plan::Uniform& uniform : step.uniforms)
         program.uniforms.push_back({.location = gl.GetUniformLocation(id, uniform.name.c_str()),
                                     .type = uniform.type,

@@ -36,6 +36,8 @@ struct Program {
     SceneUnits scene;
     GLint element_location = -1;
     GLint levels_location = -1;
+    GLint light_rows_location = -1;
+    GLsizei light_rows = 0; ///< that the program takes
     int units = 0; ///< in use, from 0
 
     GLuint id() const { return linked ? linked->object.id() : 0; }

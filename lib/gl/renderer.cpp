@@ -62,9 +62,25 @@ const Camera* Renderer::Impl::camera_of(const Frame& frame) const
     return scene_ != nullptr ? &scene_->camera : nullptr;
 }
 
+/// A plan for what one scene calls for would draw another scene wrongly.
+Errors Renderer::Impl::find_broken_promises() const
+{
+    Facts facts = scene_buffers_ ? scene_buffers_->facts : objects_.plan.facts;
+    for (int i = 0; i < static_cast<int>(objects_.plan.imports.size()); ++i)
+        if (const gl::ImportTexture& import = (*imports_)[i]; import.import.kind == Plan::Import::Kind::sky && import.id != 0)
+            facts.sky = import.brightest;
+    Errors errors;
+    for (std::string& broken : broken_promises(objects_.plan.facts, facts))
+        errors.push_back({.code = "facts_unmet",
+                          .message = std::move(broken),
+                          .hint = "compile for this scene: CompileOptions::facts = facts_of(scene)"});
+    return errors;
+}
+
 Errors Renderer::Impl::find_missing(const Frame& frame) const
 {
     Errors errors = imports_->find_missing();
+    append(errors, find_broken_promises());
     for (const Plan::Import& import : objects_.plan.imports)
         if (import.kind == Plan::Import::Kind::atlas && scene_ == nullptr)
             errors.push_back({.code = "scene_missing",

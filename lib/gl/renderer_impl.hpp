@@ -55,6 +55,7 @@ private:
     void take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl::Imports&& imports);
     gl::DrawInputs draw_inputs(const std::vector<gl::TextureObject>& slots, const gl::Imports& imports);
     Errors find_missing(const Frame& frame) const;
+    Errors find_broken_promises() const;
     const Camera* camera_of(const Frame& frame) const;
     void update_camera(gl::Upload& upload, const Camera& camera);
     glsl::FrameBlock frame_block(const Frame& frame) const;

@@ -120,7 +120,10 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
     buffers.places = {.extent = images.atlas.extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(images.atlas.cells)};
     buffers.draws = sorted_draws(scene);
     buffers.element_rows.resize(scene.elements.size() * glsl::kElementRows); // a plan may be warmed up before any camera
-    buffers.lights = create_buffer_texture(upload, scene.lights.size() * glsl::kLightTexels);
+    buffers.facts = images.facts;
+    buffers.light_order = std::move(images.lights);
+    buffers.light_rows.resize(glsl::kFewLights * glsl::kLightTexels);
+    buffers.lights = create_buffer_texture(upload, buffers.light_order.size() * glsl::kLightTexels);
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));
     return buffers;
@@ -129,7 +132,9 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
 void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view)
 {
     buffers.element_rows = element_rows(scene, buffers.places, view);
-    fill(upload.driver.gl, buffers.lights, light_texels(scene, view));
+    buffers.light_rows = light_texels(scene, buffers.light_order, view);
+    fill(upload.driver.gl, buffers.lights, buffers.light_rows);
+    buffers.light_rows.resize(std::max<size_t>(buffers.light_rows.size(), glsl::kFewLights * glsl::kLightTexels));
 }
 
 } // namespace passgraph::gl

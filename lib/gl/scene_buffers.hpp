@@ -51,7 +51,10 @@ struct SceneBuffers {
     Cube sky;                              ///< empty when the scene has none
     std::vector<glm::vec4> element_rows;   ///< glsl::kElementRows per element, as the camera sees them
     std::vector<glm::vec4> element_levels; ///< glsl::kAtlasLevelCount per element
-    BufferTexture lights;
+    Facts facts;                           ///< of the scene
+    std::vector<int> light_order;          ///< the scene's lights, those that reach a surface first
+    std::vector<glm::vec4> light_rows;     ///< glsl::kLightTexels per light, as the camera sees them; at least kFewLights
+    BufferTexture lights;               ///< the same, for programs that take any number
 };
 
 /// Uploads a scene, and the images that were made of it.

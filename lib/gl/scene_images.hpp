@@ -5,6 +5,7 @@
 
 #include <passgraph/gl/renderer.hpp>
 #include <passgraph/scene/atlas.hpp>
+#include <passgraph/scene/facts.hpp>
 
 #include "gl/objects.hpp"
 #include "gl/textures.hpp"
@@ -15,6 +16,8 @@ class SceneImages::Impl {
 public:
     std::optional<gl::CubeLevels> sky;
     Atlas atlas;
+    Facts facts;
+    std::vector<int> lights; ///< all, those that reach a surface first: programs for few take no others
 };
 
 namespace gl {

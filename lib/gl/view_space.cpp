@@ -172,11 +172,12 @@ bool is_off(const Light& light)
 
 } // namespace
 
-std::vector<glm::vec4> light_texels(const Scene& scene, const View& view)
+std::vector<glm::vec4> light_texels(const Scene& scene, const std::vector<int>& order, const View& view)
 {
     std::vector<glm::vec4> texels;
-    texels.reserve(scene.lights.size() * glsl::kLightTexels);
-    for (const Light& light : scene.lights) {
+    texels.reserve(order.size() * glsl::kLightTexels);
+    for (const int index : order) {
+        const Light& light = scene.lights[static_cast<size_t>(index)];
         if (is_off(light)) {
             texels.insert(texels.end(), {glm::vec4(0.0f), glm::vec4(0.0f), {0.0f, 0.0f, 0.0f, 1.0f}});
             continue;

@@ -49,7 +49,7 @@ float per_radius_squared(float radius);
 /// What the cone of a light leaves of it: glsl::kLightTexels' third texel.
 glm::vec4 cone_texel(const Light& light, const glm::dmat3& rotation);
 
-/// Shape    glsl::kLightTexels RGBA texels per light of the scene.
-std::vector<glm::vec4> light_texels(const Scene& scene, const View& view);
+/// Shape    glsl::kLightTexels RGBA texels per light of `order`, which names the scene's.
+std::vector<glm::vec4> light_texels(const Scene& scene, const std::vector<int>& order, const View& view);
 
 } // namespace passgraph::gl

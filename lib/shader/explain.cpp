@@ -44,7 +44,8 @@ void explain(Error& error, const PassDeclaration& pass)
     const bool is_unknown_name = error.message.find("undeclared identifier") != std::string::npos;
     if (!is_unknown_call && !is_unknown_name)
         return;
-    for (const char* read : {"camera", "frame", "lights", "elements"}) {
+    for (const ReadRow& row : kReads) {
+        const std::string read(row.name);
         const auto& names = glsl::accessor_names(read);
         if (std::find(names.begin(), names.end(), name) != names.end()) {
             error.hint = fmt::format("add \"{}\" to \"reads\"", read);

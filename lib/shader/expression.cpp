@@ -60,7 +60,7 @@ Result<ExpressionScope> load_expression_scope(const std::string& path, const std
     for (Param& param : folded.params)
         param.is_static = true;
     folded.reads = {};
-    if ((*pass)->reads.camera || (*pass)->reads.lights || (*pass)->reads.frame || (*pass)->reads.elements)
+    if ((*pass)->reads != Reads{})
         return fail({"scope_needs_host",
                      fmt::format("`{}` reads what only a frame can give", path),
                      "include a common file instead",

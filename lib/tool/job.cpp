@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <passgraph/image/image_file.hpp>
+#include <passgraph/scene/facts.hpp>
 #include <passgraph/scene/scene_file.hpp>
 
 #include "tool/pictures.hpp"
@@ -128,6 +129,8 @@ Result<Job> prepare_with(Graph graph, const SourceOptions& options, const Compil
     Job job{std::move(graph), {}, {}, {}};
     job.sources = load_sources(job.graph, options, errors);
     job.options.extent = job.sources.extent;
+    if (job.sources.scene)
+        job.options.facts = facts_of(*job.sources.scene);
     job.options.picture_extents = job.sources.picture_extents;
     compiler.apply_to(job.options);
     Result<Plan> plan = compile(job.graph, job.options);

@@ -21,6 +21,8 @@ Object numbers_json(const Value& value, int components)
 
 Object bound_json(double bound) { return std::isfinite(bound) ? Object(bound) : Object(nullptr); }
 
+std::string text_of(const std::optional<Formula>& formula) { return formula ? formula->text() : ""; }
+
 Object input_json(const InputPort& port)
 {
     Object json = {{"name", port.name}, {"over", kOvers[static_cast<size_t>(port.over)]}};
@@ -33,6 +35,7 @@ Object input_json(const InputPort& port)
     json["optional"] = port.is_optional;
     json["default"] = port.is_optional ? numbers_json(port.default_value, info(port.signal).components) : Object(nullptr);
     json["access"] = to_text(port.access);
+    json["ignored_when"] = text_of(port.ignored_when);
     return json;
 }
 
@@ -41,6 +44,7 @@ Object output_json(const OutputPort& port)
     Object json = {{"name", port.name}, {"signal", info(port.signal).name}};
     json["size"] = port.texels ? Object{{"texels", *port.texels}}
                                : Object{{"of", port.size_of}, {"scale", Object::array({port.scale.p, port.scale.q})}};
+    json["bound"] = text_of(port.bound);
     return json;
 }
 
@@ -61,8 +65,17 @@ Object param_json(const Param& param)
     json["unit"] = param.unit;
     json["label"] = param.label;
     json["group"] = param.group;
-    json["visible_if"] = param.visible_if;
+    json["visible_if"] = text_of(param.visible_if);
     return json;
+}
+
+/// null, one, or an array of several.
+Object identity_json(const std::vector<Identity>& identities)
+{
+    Object json = Object::array();
+    for (const Identity& identity : identities)
+        json.push_back({{"when", identity.when.text()}, {"is", identity.is}});
+    return identities.empty() ? Object(nullptr) : identities.size() == 1 ? json.front() : json;
 }
 
 Object layout_json(const Layout& layout)
@@ -102,7 +115,7 @@ Object contract_json(const Contract& contract)
         laws.push_back(name(law));
     Object json = {{"domain", spans_json(contract.domain)}, {"range", spans_json(contract.range)}};
     json["non_finite"] = contract.non_finite == Contract::NonFinite::replaced ? "replaced" : "contained";
-    json["within"] = contract.within;
+    json["within"] = text_of(contract.within);
     json["anywhere"] = contract.anywhere;
     json["laws"] = laws;
     return json;
@@ -120,11 +133,9 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
                    {"file", pass.file}};
     for (const char* list : {"reads", "inputs", "outputs", "params", "choices", "ladders", "layouts"})
         json[list] = Object::array();
-    const std::pair<bool, const char*> reads[] = {
-        {pass.reads.camera, "camera"}, {pass.reads.lights, "lights"}, {pass.reads.frame, "frame"}, {pass.reads.elements, "elements"}};
-    for (const auto& [is_read, what] : reads)
-        if (is_read)
-            json["reads"].push_back(what);
+    for (const ReadRow& row : kReads)
+        if (pass.reads.*row.member)
+            json["reads"].push_back(row.name);
     for (const InputPort& port : pass.inputs)
         json["inputs"].push_back(input_json(port));
     for (const OutputPort& port : pass.outputs)
@@ -142,7 +153,8 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
     }
     for (const Layout& layout : pass.layouts)
         json["layouts"].push_back(layout_json(layout));
-    json["identity"] = pass.identity_when.empty() ? Object(nullptr) : Object{{"when", pass.identity_when}, {"is", pass.identity_is}};
+    json["identity"] = identity_json(pass.identities);
+    json["needs"] = pass.needs;
     json["black"] = black_json(pass);
     json["skip"] = pass.skip_when.empty() ? Object(nullptr) : Object{{"when", pass.skip_when}, {"value", 0}};
     json["contract"] = contract_json(pass.contract);

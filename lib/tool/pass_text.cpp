@@ -110,8 +110,8 @@ std::string contract_lines(const Contract& contract)
     if (!contract.is_stated)
         return "";
     std::string text = contract.non_finite == Contract::NonFinite::replaced ? "contract non-finite values are replaced\n"
-                       : contract.within.empty() ? "contract non-finite values reach no further than the pass reads\n"
-                                                 : fmt::format("contract non-finite values reach {} texels\n", contract.within);
+                       : !contract.within ? "contract non-finite values reach no further than the pass reads\n"
+                                                 : fmt::format("contract non-finite values reach {} texels\n", contract.within->text());
     for (const Contract::Span& span : contract.domain)
         text += fmt::format("  {}  from {} to {}\n", span.port, span.lowest, span.highest);
     for (const Contract::Span& span : contract.range)
@@ -127,8 +127,16 @@ std::string pass_page(const PassDeclaration& pass)
     std::string text = fmt::format("{}: {}\n", pass.name, pass.summary);
     text += fmt::format("family   {}\nkind     {}\nsource   {}\nfile     {}\n", pass.family,
                         pass.composite ? "composite" : pass.kind == PassKind::geometry ? "geometry" : "image", pass.source, pass.file);
-    if (!pass.identity_when.empty())
-        text += fmt::format("identity is {} when {}\n", pass.identity_is, pass.identity_when);
+    for (const Identity& identity : pass.identities)
+        text += fmt::format("identity is {} when {}\n", identity.is, identity.when.text());
+    for (const std::string& fact : pass.needs)
+        text += fmt::format("needs {}\n", fact);
+    for (const OutputPort& output : pass.outputs)
+        if (output.bound)
+            text += fmt::format("bound {} is at most {}\n", output.name, output.bound->text());
+    for (const InputPort& input : pass.inputs)
+        if (input.ignored_when)
+            text += fmt::format("ignores {} when {}\n", input.name, input.ignored_when->text());
     for (size_t output = 0; output < pass.black.size(); ++output) {
         std::vector<std::string> inputs;
         for (const int input : pass.black[output])

@@ -4,7 +4,7 @@
   "inputs": { "scene": "radiance", "bloom": { "signal": "radiance", "filter": "linear" } },
   "outputs": { "color": { "signal": "radiance", "size": { "of": "scene" } } },
   "params": { "strength": { "type": "float", "default": 1, "range": [0, 8] } },
-  "identity": { "when": "strength == 0", "is": "scene" },
+  "identity": { "when": "strength == 0 || bloom == 0", "is": "scene" },
   "black": ["scene", "bloom"],
   "contract": {
     "range": { "color": [0, "saturated"] },

@@ -8,6 +8,8 @@
     "knee": { "type": "float", "default": 0.5, "range": [0, 1], "label": "Softness, as a share of the threshold" }
   },
   "identity": { "when": "threshold == 0", "is": "image" },
+  // The luminance of a color is at most its largest channel; 1e-5 is for the roundings of a sum of three.
+  "bound": "image * 1.00001 <= threshold - threshold * knee ? 0 : image * 1.00001",
   "black": ["image"],
   // The sum that share_above_threshold cuts off at 0, operation by operation: at 0 or below, the share is exactly 0.
   "skip": { "when": "luminance(image(uv)) - threshold + threshold * knee <= 0.0", "value": 0 },

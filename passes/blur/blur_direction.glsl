@@ -16,6 +16,7 @@
   },
   "identity": { "when": "sigma == 0", "is": "image" },
   "black": ["image"],
+  "bound": "image * 1.001", // weights sum to 1 as far as a filter's rounding goes
   "contract": {
     // A linear tap reads its neighbors at a weight of 0, too, and 0 * NaN is NaN.
     "non_finite": {

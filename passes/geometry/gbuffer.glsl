@@ -32,6 +32,7 @@
       "depth": "depth32f", "emissive": "r11f_g11f_b10f"
     }
   },
+  "bound": { "emissive": "emission" },
   "contract": { "non_finite": "contained" },
   "source": "Saito and Takahashi 1990, Comprehensible Rendering of 3-D Shapes"
 }*/

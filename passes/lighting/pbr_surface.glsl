@@ -2,7 +2,7 @@
   "pass": "pbr_surface",
   "summary": "Lights the surfaces of a G-buffer, with a split-sum table for the sky's reflection: the heart of pbr.",
   "only_where": "depth",
-  "reads": ["camera", "lights"],
+  "reads": ["camera", "lights", "materials"],
   "inputs": {
     "albedo": "albedo",
     "material": "material",
@@ -26,6 +26,12 @@
     "fresnel_power": { "items": ["pow", "multiplications"], "default": "multiplications" },
     "beckmann_masking": { "items": ["rational", "erf"], "default": "erf" }
   },
+  // Without the sky's light the table of its reflection is not read either.
+  "ignores": { "sky": "environment == 0", "share": "environment == 0 || sky == 0" },
+  // Diffuse light is 1/pi of what arrives at most, a highlight what the scene's smoothest surface makes of it; the geometry
+  // terms without a masking of their own grow without end at grazing angles. A sky's irradiance, of harmonics of degree 2,
+  // overshoots by less than half: 1 for its reflection, 1.5 for its diffuse light.
+  "bound": "emissive + environment * sky * 2.5 + (irradiance == 0 ? 0 : geometry == geometry_cook_torrance || geometry == geometry_neumann ? 65504 : irradiance * (0.3184 + highlight))",
   "contract": {
     "range": { "radiance": [0, "saturated"] },
     "non_finite": { "contained": 0, "anywhere": ["share"] },
@@ -76,6 +82,7 @@ vec3 pbr_surface(vec2 uv)
     vec3 n = normal(uv);
     vec3 base = albedo(uv);
     vec3 matter = material(uv); // specular, roughness, metallic
+    matter.z = materials_have_metal() ? matter.z : 0.0;
     float squared = dot(place, place);
     vec3 v = -place * inversesqrt(squared); // undefined where squared is 0, and not used there
 

@@ -5,6 +5,8 @@
   "inputs": { "image": "radiance", "depth": "depth", "sky": { "signal": "radiance", "over": "sphere" } },
   "outputs": { "color": { "signal": "radiance", "size": { "of": "image" } } },
   "only_where": { "no_depth": "image" },
+  "identity": { "when": "image_behind == 0 && (sky == 0 || intensity == 0)", "is": "image" },
+  "bound": "max(image, intensity * sky)",
   "params": { "intensity": { "type": "float", "default": 1, "range": [0, 100] } },
   "black": ["image", "sky"],
   "contract": {

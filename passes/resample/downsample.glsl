@@ -4,6 +4,7 @@
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
   "black": ["image"],
+  "bound": "image * 1.0001", // weights sum to 1 as far as a filter's rounding goes
   "contract": {
     "non_finite": { "contained": 1 },
     "laws": ["constant", "black", "energy", "monotone", "mirror", "scale"]

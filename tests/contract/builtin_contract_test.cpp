@@ -58,7 +58,7 @@ TEST_CASE("every built-in pass keeps its contract, before any guard and with hos
         const std::set<std::string> checks = checks_of(report);
         CHECK(checks.count("finite") == 1);
         CHECK(checks.count("range") == 1);
-        CHECK(checks.count("identity") == (pass->identity_when.empty() ? 0 : 1));
+        CHECK(checks.count("identity") == (pass->identities.empty() ? 0 : 1));
         CHECK(checks.count("param_range") == (pass->params.empty() ? 0 : 1));
         CHECK(checks.count("replaced") == (pass->contract.non_finite == Contract::NonFinite::replaced ? 1 : 0));
         CHECK(checks.count("layouts") == (pass->layouts.empty() ? 0 : 1));

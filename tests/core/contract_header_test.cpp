@@ -62,11 +62,11 @@ TEST_CASE("a contract says domain, range, what non-finite values do, and laws", 
     CHECK(stated.domain[0].highest == 100.0);
     CHECK(stated.range[0].lowest == 0.25);
     CHECK(stated.non_finite == Contract::NonFinite::contained);
-    CHECK(stated.within == "2 * 3");
+    CHECK(stated.within->text() == "2 * 3");
     CHECK(stated.laws == std::vector<Law>{Law::black, Law::mirror});
     CHECK(read(contract("\"non_finite\": \"replaced\""))->contract.non_finite == Contract::NonFinite::replaced);
-    CHECK(read(contract("\"non_finite\": \"contained\""))->contract.within == "");
-    CHECK(read(contract("\"non_finite\": { \"contained\": 3 }"))->contract.within == "3");
+    CHECK(read(contract("\"non_finite\": \"contained\""))->contract.within.has_value() == false);
+    CHECK(read(contract("\"non_finite\": { \"contained\": 3 }"))->contract.within->text() == "3");
     CHECK_FALSE(read(with("\"summary\": \"none\""))->contract.is_stated);
 }
 
@@ -139,6 +139,6 @@ TEST_CASE("a composite states a contract as a pass does, and its mistakes have a
     right.replace(right.find("cnstant"), 7, "black");
     const auto pass = declare(right);
     REQUIRE(pass);
-    CHECK((*pass)->contract.within == "24");
+    CHECK((*pass)->contract.within->text() == "24");
     CHECK((*pass)->contract.laws == std::vector<Law>{Law::constant, Law::black});
 }

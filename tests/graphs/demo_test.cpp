@@ -76,6 +76,7 @@ TEST_CASE("bloom reaches past the lantern's panes", "[graphs][demo]")
     GraphRun run;
     run.options.extent = kExtent;
     run.scene = &night_lamp();
+    run.options.specialise = false; // without its bloom the frame is one draw less, and rounded once less
     Graph with = sample_graph("deferred_demo/bloom.graph.json");
     Graph without = sample_graph("deferred_demo/bloom.graph.json");
     REQUIRE(without.set("film.strength", {"", {0.0}, "", {}}));

@@ -21,7 +21,7 @@ TEST_CASE("bench times the frame and each step, and its JSON keeps its schema", 
         CHECK(outcome.code == 0);
         return outcome.out;
     };
-    const Json plain = test::json_of(with({"--json", "--off", "fuse"}));
+    const Json plain = test::json_of(with({"--json", "--off", "fuse,specialise"}));
     CHECK(test::find_schema_violations(plain, schema) == std::vector<std::string>{});
     CHECK(plain.find("steps")->array.size() == 2);
     CHECK(plain.find("frames")->number == 4);

@@ -45,7 +45,8 @@ TEST_CASE("--off fuse draws passes one by one", "[tool][plan]")
         return test::json_of(place.run(words).out).find("steps")->array.size();
     };
     CHECK(steps({}) == 1);
-    CHECK(steps({"--off", "fuse"}) == 2);
+    CHECK(steps({"--off", "fuse,specialise"}) == 2);
+    CHECK(steps({"--off", "fuse"}) == 1); // a threshold of 0 leaves its pass out
     CHECK(steps({"--off", "specialise,unify,order"}) == 1);
 }
 

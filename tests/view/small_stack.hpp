@@ -20,7 +20,7 @@ inline PassLibrary library_with_knobs()
   "outputs": { "color": "display" },
   "params": { "gain": { "type": "float", "default": 1, "range": [0, 4], "unit": "stops", "group": "light", "label": "Brightness" },
               "tint": { "type": "color", "default": [1, 1, 1], "range": [0, 1] },
-              "steps": { "type": "int", "default": 4, "range": [1, 16], "visible_if": "gain > 0 && shape == round" },
+              "steps": { "type": "int", "default": 4, "range": [1, 16], "visible_if": "gain > 0 && shape == shape_round" },
               "fine": { "type": "float", "default": 0, "range": [0, 1], "step": 0.25 },
               "flip": { "type": "bool", "default": false } },
   "choices": { "shape": { "items": ["square", "round"], "default": "square" } },

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <passgraph/core/error.hpp>
+#include <passgraph/core/facts.hpp>
 #include <passgraph/core/graph.hpp>
 #include <passgraph/core/plan.hpp>
 
@@ -29,6 +30,7 @@ struct CompileOptions {
     Extent extent{1280, 720};                        ///< of the frame: geometry passes, and graphs without pictures
     std::map<std::string, Extent> picture_extents{}; ///< of imported pictures, by name; else `extent`
     Device device{16384, 32, 8};
+    Facts facts{}; ///< of the scene, as far as known
     bool specialise = true; ///< false: what a scene or a pixel does not need is done all the same
     Skipping skipping = Skipping::as_needed; ///< as `never` when `specialise` is off
     bool fuse = true;  ///< false: every pass is a step of its own

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <passgraph/core/error.hpp>
+#include <passgraph/core/formula.hpp>
 
 namespace passgraph {
 
@@ -45,7 +47,7 @@ struct Contract {
     std::vector<Span> domain;
     std::vector<Span> range;
     NonFinite non_finite = NonFinite::contained;
-    std::string within; ///< texels of the input, a GLSL expression of the parameters; "": as far as the pass reads
+    std::optional<Formula> within; ///< texels of the input, by parameters; none: as far as the pass reads
     std::vector<std::string> anywhere; ///< inputs that are looked up at computed places: a bad texel of theirs may reach any
     std::vector<Law> laws;
     Location where{};

@@ -13,6 +13,7 @@
 #include <passgraph/core/codec.hpp>
 #include <passgraph/core/contract.hpp>
 #include <passgraph/core/error.hpp>
+#include <passgraph/core/formula.hpp>
 #include <passgraph/core/signal.hpp>
 
 namespace passgraph {
@@ -48,7 +49,7 @@ struct Param {
     std::string unit;
     std::string label;
     std::string group;
-    std::string visible_if;
+    std::optional<Formula> visible_if;
     bool is_logarithmic = false;
     bool is_static = false;
     std::vector<std::string> items; ///< of an enum
@@ -103,6 +104,7 @@ struct InputPort {
     bool is_optional = false;
     Value default_value{}; ///< of an optional input that is not wired
     Access access{};       ///< derived
+    std::optional<Formula> ignored_when{}; ///< then what is wired makes no difference
     Location where{};
 };
 
@@ -118,6 +120,7 @@ struct OutputPort {
     std::string size_of;                      ///< an input whose extent is taken; "": the largest input
     Ratio scale;                              ///< of that extent
     std::optional<std::array<int, 2>> texels; ///< or a fixed extent
+    std::optional<Formula> bound{}; ///< no component is larger; of inputs' bounds, parameters and facts
     Location where;
 };
 
@@ -133,6 +136,23 @@ struct Reads {
     bool lights = false;
     bool frame = false;
     bool elements = false;
+    bool materials = false;
+    friend bool operator==(const Reads&, const Reads&) = default;
+};
+struct ReadRow {
+    std::string_view name;
+    bool Reads::*member;
+};
+inline constexpr std::array<ReadRow, 5> kReads = {{{"camera", &Reads::camera},
+                                                   {"lights", &Reads::lights},
+                                                   {"frame", &Reads::frame},
+                                                   {"elements", &Reads::elements},
+                                                   {"materials", &Reads::materials}}};
+
+/// When a pass is one of its inputs, by parameters and by the inputs' largest components: `bloom == 0` is "bloom is black".
+struct Identity {
+    Formula when;
+    std::string is; ///< the input
 };
 
 /// One layout of a geometry pass: what it draws into, and where each output stands there or what it is computed from.
@@ -184,8 +204,8 @@ struct PassDeclaration {
     std::vector<Selection> selections;
     std::vector<Layout> layouts; ///< of a geometry pass; selected by the selection "layout"
     Reads reads;
-    std::string identity_when; ///< a GLSL condition on parameters, or ""
-    std::string identity_is;   ///< the input that the pass then is
+    std::vector<Identity> identities;
+    std::vector<std::string> needs; ///< facts of the scene that the pass is for: without one of them it is its input, or black
     OnlyWhere only_where = OnlyWhere::everywhere;
     std::string elsewhere; ///< the input that the pass is where only_where does not hold; "": its outputs are 0 there
     /// By output: the inputs that make it exactly 0 everywhere when all of them are; none: nothing does.
@@ -208,6 +228,15 @@ struct PassDeclaration {
 std::string to_text(const Layout& layout, const Layout::Output& output);
 /// The filter of a port under these items of the pass's selections.
 Filter filter_of(const PassDeclaration& pass, const InputPort& port, const std::vector<int>& selections);
+
+/// IMAGE_behind in formulas: the input IMAGE where no surface is.
+inline constexpr std::string_view kBehind = "_behind";
+
+/// The parameters, selections and items (`taps_9`) of a pass under these settings, for formulas.
+std::optional<Formula::Number> find_setting(const PassDeclaration& pass, const std::vector<Value>& params,
+                                            const std::vector<int>& selections, std::string_view name);
+/// The names that `find_setting` knows, for messages.
+std::vector<std::string> formula_names(const PassDeclaration& pass);
 
 using PassPtr = std::shared_ptr<const PassDeclaration>;
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <passgraph/core/declaration.hpp>
+#include <passgraph/core/facts.hpp>
 
 namespace passgraph::glsl {
 
@@ -58,12 +59,10 @@ static_assert(sizeof(FrameBlock) == 32);
 ///      shines all around
 inline constexpr int kLightTexels = 3;
 
-/// What a program may take for granted about the scene's lights. The default takes nothing.
-struct LightFacts {
-    std::optional<int> count; ///< exactly so many
-    bool have_ends = true;    ///< false: all are directional
-    bool have_cones = true;   ///< false: none is a spot light
-};
+/// So few lights, if the scene is known to have no more, are no buffer but the uniform vec4[count * kLightTexels] of this name:
+/// software rasterisers fetch a buffer's texel per pixel. A scene with fewer fills up with black ones.
+inline constexpr int kFewLights = 4;
+inline constexpr const char* kLightRows = "passgraph_light_rows";
 
 /// The uniform vec3[kHarmonics] beside a cube's sampler: coefficients of the sky's irradiance, see irradiance.hpp of gl.
 inline constexpr int kHarmonics = 9;
@@ -82,7 +81,7 @@ inline constexpr int kElementRows = 7;
 inline constexpr int kAtlasLevelCount = 15;
 
 /// GLSL of the accessors for what a step reads: view_ray(uv), light(i), random(pixel, n), ...
-std::string accessors(const Reads& reads, PassKind kind, const LightFacts& lights = {});
+std::string accessors(const Reads& reads, PassKind kind, const Facts& facts = {});
 /// GLSL of the element accessors in the vertex stage of a geometry step.
 std::string vertex_accessors(const Reads& reads);
 /// Names those accessors define, for messages and reserved-name checks.

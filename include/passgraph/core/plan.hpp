@@ -8,6 +8,7 @@
 
 #include <passgraph/core/codec.hpp>
 #include <passgraph/core/declaration.hpp>
+#include <passgraph/core/facts.hpp>
 #include <passgraph/core/picture.hpp>
 #include <passgraph/core/signal.hpp>
 
@@ -111,6 +112,12 @@ struct Plan {
         std::string reason;
     };
 
+    /// What the scene's facts or the parameters' values made superfluous.
+    struct Decision {
+        std::string what; ///< a pass, an input or an image
+        std::string reason;
+    };
+
     struct Culled {
         std::string pass;
         std::string reason;
@@ -124,6 +131,8 @@ struct Plan {
     std::vector<Output> outputs;
     std::vector<Boundary> boundaries;
     std::vector<Culled> culled;
+    std::vector<Decision> decisions;
+    Facts facts; ///< that the plan is for
     std::vector<std::string> inlined; ///< images that need no memory
     std::int64_t bytes = 0;           ///< of all slots
     std::int64_t bytes_unshared = 0;  ///< had every stored image its own texture

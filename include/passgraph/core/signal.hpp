@@ -49,6 +49,13 @@ struct SignalInfo {
 };
 
 const SignalInfo& info(Signal signal);
+
+/// The values that a component of the signal may have.
+struct Domain {
+    double lowest = 0.0;
+    double highest = 0.0;
+};
+Domain domain_of(Signal signal);
 const std::vector<SignalInfo>& all_signals();
 std::optional<Signal> find_signal(std::string_view name);
 

@@ -86,6 +86,7 @@ class SceneImages {
 public:
     class Impl;
     explicit SceneImages(std::unique_ptr<Impl> impl);
+    const Facts& facts() const; ///< of the scene
     SceneImages(SceneImages&&) noexcept;
     SceneImages& operator=(SceneImages&&) noexcept;
     ~SceneImages();
@@ -142,7 +143,8 @@ public:
 
     /// Draws what the outputs need and the textures do not hold yet: a step runs again when a parameter, the camera, the
     /// scene, an import or an image that it reads has changed; each frame when it reads the frame or a host's texture.
-    /// Errors   import_missing, scene_missing, gl_error (names the step).
+    /// Errors   import_missing, scene_missing, facts_unmet (the plan was compiled for a scene with less), gl_error (names the
+    ///          step).
     Result<void> render(const Frame& frame = {});
 
     /// An output's values, decoded from its codec. Shape: the output's extent and its signal's components.

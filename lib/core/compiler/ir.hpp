@@ -9,6 +9,7 @@
 
 #include "passgraph/core/codec.hpp"
 #include "passgraph/core/compile.hpp"
+#include "passgraph/core/facts.hpp"
 #include "passgraph/core/graph.hpp"
 #include "passgraph/core/plan.hpp"
 
@@ -47,6 +48,13 @@ struct TypedGraph {
     }
     int node_count() const { return static_cast<int>(images.size()); }
     bool is_pass(int index) const { return node(index).kind == GraphNode::Kind::pass; }
+};
+
+/// A graph without what the scene and the parameters make superfluous.
+struct Specialised {
+    TypedGraph graph;
+    std::map<std::pair<int, int>, Extent> black_inputs{}; ///< by node and input: not wired any more; its values are 0
+    std::vector<Plan::Decision> decisions{};
 };
 
 /// A texture that a node draws into; one may hold several images, and one image may stand in several.
@@ -140,9 +148,13 @@ struct Slots {
 
 Result<TypedGraph> validate(const Graph& graph, const CompileOptions& options);
 TypedGraph derive(const TypedGraph& graph);
+Specialised specialise(const TypedGraph& graph, const CompileOptions& options);
 Encoding encode(const TypedGraph& graph);
-Liveness cull(const TypedGraph& graph, bool is_on);
+/// What was needed in `before` and no longer is has another reason than what never was.
+Liveness cull(const Specialised& special, const TypedGraph& before, bool is_on);
 Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options);
+/// The geometry passes that a node's inputs come from, directly or not.
+std::set<int> geometry_of(const TypedGraph& graph, int node);
 /// Sets Draw::tested_depth where passes of a draw do nothing at some pixels.
 Draws split_by_depth(const TypedGraph& graph, const Encoding& encoding, Draws draws, bool is_on);
 Order order_draws(const TypedGraph& graph, const Draws& draws);
@@ -152,19 +164,19 @@ bool may_skip_at_all(const CompileOptions& options);
 /// Whether a node is a pass that says where it is black, and black means 0 in its signal.
 bool may_skip(const TypedGraph& graph, int node);
 /// The given images, and all that are 0 everywhere when these are.
-Images blackened_by(const TypedGraph& graph, Images black);
+Images blackened_by(const Specialised& special, Images black);
 /// Whether a full-screen draw leaves nothing in memory but these images, and 0 as the code of 0.
 bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& draw, const Images& images);
 /// Adds what counts the pixels of passes whose own draw cannot, before fusion.
-TypedGraph watch(const TypedGraph& graph, const CompileOptions& options);
+Specialised watch(const Specialised& special, const CompileOptions& options);
 /// Which draws the device leaves out where nothing is bright.
-Conditions find_conditions(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+Conditions find_conditions(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
                            const CompileOptions& options);
 std::vector<Lifetime> find_lifetimes(const TypedGraph& graph, const Encoding& encoding, const Draws& draws,
                                      const Order& order);
 Slots allocate(const TypedGraph& graph, const Encoding& encoding, const std::vector<Lifetime>& lifetimes,
                bool is_shared);
-Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+Plan lower(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
            const Conditions& conditions, const Slots& slots, const CompileOptions& options);
 
 /// What a draw writes: where its stored images stand, and geometry's depth buffer.

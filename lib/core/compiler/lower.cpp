@@ -15,12 +15,14 @@ namespace {
 
 class StepLowering {
 public:
-    StepLowering(const TypedGraph& graph, const Encoding& encoding, const Slots& slots,
+    StepLowering(const Specialised& special, const Encoding& encoding, const Slots& slots,
                  const std::map<ImageRef, int, ImageLess>& imports, const Draw& draw, const Condition& condition,
                  const CompileOptions& options)
-        : graph_(graph), encoding_(encoding), slots_(slots), imports_(imports), draw_(draw),
-          condition_(condition), options_(options)
+        : graph_(special.graph), black_inputs_(special.black_inputs), encoding_(encoding), slots_(slots), imports_(imports),
+          draw_(draw), condition_(condition), options_(options)
     {
+        if (options.specialise)
+            source_.facts = options.facts;
         source_.has_guards = options.guards;
     }
 
@@ -49,10 +51,8 @@ public:
 private:
     static void add(Reads& into, const Reads& more)
     {
-        into.camera |= more.camera;
-        into.lights |= more.lights;
-        into.frame |= more.frame;
-        into.elements |= more.elements;
+        for (const ReadRow& row : kReads)
+            into.*row.member |= more.*row.member;
     }
 
     void add_instance(int node_index)
@@ -68,7 +68,7 @@ private:
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
             instance.signals.push_back(image.signal);
         for (size_t i = 0; i < node.inputs.size(); ++i)
-            instance.inputs.push_back(input_source(node, i));
+            instance.inputs.push_back(input_source(node_index, i));
         for (size_t i = 0; i < node.pass->params.size(); ++i) {
             const Param& param = node.pass->params[i];
             if (!node.is_static[i])
@@ -83,12 +83,18 @@ private:
         source_.instances.push_back(std::move(instance));
     }
 
-    glsl::InputSource input_source(const GraphNode& node, size_t index)
+    glsl::InputSource input_source(int node_index, size_t index)
     {
+        const GraphNode& node = graph_.node(node_index);
         const InputPort& port = node.pass->inputs[index];
         const auto& wire = node.inputs[index];
         glsl::InputSource source;
         source.extent = {1, 1};
+        if (const auto black = black_inputs_.find({node_index, static_cast<int>(index)}); black != black_inputs_.end()) {
+            source.kind = glsl::InputSource::Kind::black;
+            source.extent = black->second;
+            return source;
+        }
         if (!wire || port.over == Over::scene)
             return source;
         const TypedImage& image = graph_.image(wire->from);
@@ -196,6 +202,7 @@ private:
     }
 
     const TypedGraph& graph_;
+    const std::map<std::pair<int, int>, Extent>& black_inputs_;
     const Encoding& encoding_;
     const Slots& slots_;
     const std::map<ImageRef, int, ImageLess>& imports_;
@@ -235,9 +242,10 @@ std::map<ImageRef, int, ImageLess> find_imports(const TypedGraph& graph, const D
 
 } // namespace
 
-Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+Plan lower(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
            const Conditions& conditions, const Slots& slots, const CompileOptions& options)
 {
+    const TypedGraph& graph = special.graph;
     Plan plan;
     plan.extent = options.extent;
     const auto imports = find_imports(graph, draws, plan);
@@ -250,7 +258,7 @@ Plan lower(const TypedGraph& graph, const Encoding& encoding, const Draws& draws
     for (const int draw : order) {
         const Condition& condition = conditions.of_draw[static_cast<size_t>(draw)];
         plan.steps.push_back(
-            StepLowering(graph, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], condition, options).run());
+            StepLowering(special, encoding, slots, imports, draws.draws[static_cast<size_t>(draw)], condition, options).run());
         if (condition.counts >= 0)
             plan.queries[static_cast<size_t>(condition.counts)] = {
                 static_cast<int>(plan.steps.size()) - 1, conditions.counted[static_cast<size_t>(condition.counts)]};

@@ -50,11 +50,12 @@ bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& 
 }
 
 /// Producers come first, so one sweep is enough.
-Images blackened_by(const TypedGraph& graph, Images black)
+Images blackened_by(const Specialised& special, Images black)
 {
+    const TypedGraph& graph = special.graph;
     const auto is_black = [&](int node, int input) {
         const auto& wire = graph.node(node).inputs[static_cast<size_t>(input)];
-        return wire && black.contains(wire->from);
+        return wire ? black.contains(wire->from) : special.black_inputs.contains({node, input});
     };
     for (int node = 0; node < graph.node_count(); ++node) {
         for (int output = 0; graph.is_pass(node) && output < static_cast<int>(graph.images[static_cast<size_t>(node)].size()); ++output) {
@@ -74,8 +75,8 @@ namespace {
 
 class Search {
 public:
-    Search(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order)
-        : graph_(graph), encoding_(encoding), draws_(draws), order_(order)
+    Search(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order)
+        : special_(special), graph_(special.graph), encoding_(encoding), draws_(draws), order_(order)
     {
         result_.of_draw.resize(draws.draws.size());
     }
@@ -95,7 +96,7 @@ private:
     /// A draw that was made for it, or the first that is black when the pass is: the earlier, the more is left out.
     void find_counting(ImageRef image)
     {
-        const Images black = blackened_by(graph_, {image});
+        const Images black = blackened_by(special_, {image});
         const auto watch = std::find_if(graph_.watches.begin(), graph_.watches.end(),
                                         [&](const TypedGraph::Watch& w) { return w.image == image; });
         const int made = watch == graph_.watches.end() ? -1 : draws_.draw_of[static_cast<size_t>(watch->counter)];
@@ -112,7 +113,7 @@ private:
     /// `counted`: what is 0 everywhere when the counting draw draws no pixel.
     void find_dependent(size_t counting, const Images& counted)
     {
-        const Images black = blackened_by(graph_, counted);
+        const Images black = blackened_by(special_, counted);
         const int query = static_cast<int>(result_.counted.size());
         bool has_any = false;
         for (size_t time = counting + 1; time < order_.size(); ++time) {
@@ -139,6 +140,7 @@ private:
         result_.counted.push_back(fmt::format("{}", fmt::join(names, " and ")));
     }
 
+    const Specialised& special_;
     const TypedGraph& graph_;
     const Encoding& encoding_;
     const Draws& draws_;
@@ -148,12 +150,12 @@ private:
 
 } // namespace
 
-Conditions find_conditions(const TypedGraph& graph, const Encoding& encoding, const Draws& draws, const Order& order,
+Conditions find_conditions(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
                            const CompileOptions& options)
 {
     if (!may_skip_at_all(options))
         return {std::vector<Condition>(draws.draws.size()), {}};
-    return Search(graph, encoding, draws, order).run();
+    return Search(special, encoding, draws, order).run();
 }
 
 } // namespace passgraph::compiler

@@ -9,25 +9,12 @@
 namespace passgraph::compiler {
 namespace {
 
-/// Geometry passes that a node's inputs come from, through derivations and other passes of its own draw.
-void find_geometry(const TypedGraph& graph, int node, std::set<int>& found)
-{
-    for (const auto& wire : graph.node(node).inputs) {
-        if (!wire || !graph.is_pass(wire->from.node))
-            continue;
-        if (graph.node(wire->from.node).pass->kind == PassKind::geometry)
-            found.insert(wire->from.node);
-        else
-            find_geometry(graph, wire->from.node, found);
-    }
-}
-
 std::optional<TargetRef> tested_depth(const TypedGraph& graph, const Encoding& encoding, const Draw& draw)
 {
     std::set<int> geometry;
     for (const int node : draw.nodes)
         if (graph.node(node).pass->only_where != OnlyWhere::everywhere)
-            find_geometry(graph, node, geometry);
+            geometry.merge(geometry_of(graph, node));
     if (geometry.size() != 1)
         return std::nullopt;
     const int node = *geometry.begin();
@@ -38,6 +25,26 @@ std::optional<TargetRef> tested_depth(const TypedGraph& graph, const Encoding& e
 }
 
 } // namespace
+
+std::set<int> geometry_of(const TypedGraph& graph, int node)
+{
+    std::set<int> found;
+    std::set<int> seen = {node};
+    std::vector<int> open = {node};
+    while (!open.empty()) {
+        const GraphNode& reader = graph.node(open.back());
+        open.pop_back();
+        for (const auto& wire : reader.inputs) {
+            if (!wire || !graph.is_pass(wire->from.node) || !seen.insert(wire->from.node).second)
+                continue;
+            const bool is_geometry = graph.node(wire->from.node).pass->kind == PassKind::geometry;
+            (is_geometry ? found : seen).insert(wire->from.node);
+            if (!is_geometry)
+                open.push_back(wire->from.node);
+        }
+    }
+    return found;
+}
 
 Draws split_by_depth(const TypedGraph& graph, const Encoding& encoding, Draws draws, bool is_on)
 {

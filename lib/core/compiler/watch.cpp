@@ -52,15 +52,16 @@ PassPtr block_pass()
 }
 
 /// Passes whose chain has a draw that is black when they are, but not their own.
-std::set<int> find_watched(const TypedGraph& graph, const CompileOptions& options)
+std::set<int> find_watched(const Specialised& special, const CompileOptions& options)
 {
+    const TypedGraph& graph = special.graph;
     std::set<int> watched;
     const Encoding encoding = encode(graph);
-    const Draws draws = fuse(graph, encoding, cull(graph, options.cull), options);
+    const Draws draws = fuse(graph, encoding, cull(special, graph, options.cull), options);
     for (int node = 0; node < graph.node_count(); ++node) {
         if (!may_skip(graph, node) || draws.draw_of[static_cast<size_t>(node)] < 0)
             continue;
-        const Images black = blackened_by(graph, {{node, 0}});
+        const Images black = blackened_by(special, {{node, 0}});
         const auto is_black = [&](const Draw& draw) { return stores_only(graph, encoding, draw, black); };
         const Draw& own = draws.draws[static_cast<size_t>(draws.draw_of[static_cast<size_t>(node)])];
         if (!is_black(own) && std::any_of(draws.draws.begin(), draws.draws.end(), is_black))
@@ -72,13 +73,14 @@ std::set<int> find_watched(const TypedGraph& graph, const CompileOptions& option
 /// Copies a graph node by node, and puts the two passes behind each that is watched.
 class Insertion {
 public:
-    Insertion(const TypedGraph& graph, const std::set<int>& watched) : graph_(graph), watched_(watched)
+    Insertion(const Specialised& special, const std::set<int>& watched)
+        : special_(special), graph_(special.graph), watched_(watched)
     {
-        result_.outputs = graph.outputs;
-        result_.library = graph.library;
+        result_.outputs = graph_.outputs;
+        result_.library = graph_.library;
     }
 
-    TypedGraph run()
+    Specialised run()
     {
         for (int index = 0; index < graph_.node_count(); ++index) {
             GraphNode node = graph_.node(index);
@@ -93,7 +95,10 @@ public:
         }
         for (GraphOutput& output : result_.outputs)
             output.from = moved(output.from);
-        return std::move(result_);
+        Specialised result{std::move(result_), {}, special_.decisions};
+        for (const auto& [input, extent] : special_.black_inputs)
+            result.black_inputs[{moved_[static_cast<size_t>(input.first)], input.second}] = extent;
+        return result;
     }
 
 private:
@@ -125,6 +130,7 @@ private:
         result_.watches.push_back({image, counter});
     }
 
+    const Specialised& special_;
     const TypedGraph& graph_;
     const std::set<int>& watched_;
     TypedGraph result_;
@@ -133,10 +139,10 @@ private:
 
 } // namespace
 
-TypedGraph watch(const TypedGraph& graph, const CompileOptions& options)
+Specialised watch(const Specialised& special, const CompileOptions& options)
 {
-    const std::set<int> watched = may_skip_at_all(options) ? find_watched(graph, options) : std::set<int>{};
-    return watched.empty() ? graph : Insertion(graph, watched).run();
+    const std::set<int> watched = may_skip_at_all(options) ? find_watched(special, options) : std::set<int>{};
+    return watched.empty() ? special : Insertion(special, watched).run();
 }
 
 } // namespace passgraph::compiler

@@ -61,8 +61,7 @@ float random(ivec2 pixel, int n)
 }
 )";
 
-constexpr const char* kLight = R"(uniform samplerBuffer passgraph_lights;
-struct Light
+constexpr const char* kLight = R"(struct Light
 {
     vec3 color;               // irradiance on a facing plane: directional as it is, else at 1 m
     vec3 position;            // metres, view space; of a directional light the unit vector against its direction
@@ -73,9 +72,9 @@ struct Light
 };
 Light light(int i)
 {
-    vec4 color_and_end = texelFetch(passgraph_lights, 3 * i);
-    vec4 position_and_nearness = texelFetch(passgraph_lights, 3 * i + 1);
-    vec4 axis_and_offset = texelFetch(passgraph_lights, 3 * i + 2);
+    vec4 color_and_end = passgraph_light_row(3 * i);
+    vec4 position_and_nearness = passgraph_light_row(3 * i + 1);
+    vec4 axis_and_offset = passgraph_light_row(3 * i + 2);
     return Light(color_and_end.rgb, position_and_nearness.xyz, position_and_nearness.w, color_and_end.w,
                  axis_and_offset.xyz, axis_and_offset.w);
 }
@@ -106,15 +105,22 @@ vec3 element_emissive(vec2 place) { return texture(passgraph_atlas_emissive, pla
 )";
 
 /// What is known of the lights is a constant, which folds away whatever the lights do not need.
-std::string lights_part(const LightFacts& known)
+std::string lights_part(const Facts& facts)
 {
-    const std::string count = known.count ? std::to_string(*known.count) : "passgraph_light_count";
-    return fmt::format("{}int light_count() {{ return {}; }}\nbool lights_have_ends() {{ return {}; }}\n"
+    const bool are_few = facts.lights() <= kFewLights;
+    const int count = are_few ? static_cast<int>(facts.lights()) : 0;
+    std::string rows = "uniform samplerBuffer passgraph_lights;\nvec4 passgraph_light_row(int i) { return texelFetch(passgraph_lights, i); }\n";
+    if (are_few)
+        rows = count == 0 ? "vec4 passgraph_light_row(int i) { return vec4(0.0); }\n"
+                          : fmt::format("uniform vec4 {0}[{1}];\nvec4 passgraph_light_row(int i) {{ return {0}[i]; }}\n", kLightRows,
+                                        count * kLightTexels);
+    return fmt::format("{}{}int light_count() {{ return {}; }}\nbool lights_have_ends() {{ return {}; }}\n"
                        "bool lights_have_cones() {{ return {}; }}\n",
-                       kLight, count, known.have_ends, known.have_cones);
+                       rows, kLight, are_few ? std::to_string(count) : "passgraph_light_count",
+                       facts.point_lights + facts.spot_lights > 0.0, facts.spot_lights > 0.0);
 }
 
-std::string common_part(const Reads& reads, const LightFacts& lights)
+std::string common_part(const Reads& reads, const Facts& facts)
 {
     std::string text;
     if (reads.camera)
@@ -124,7 +130,9 @@ std::string common_part(const Reads& reads, const LightFacts& lights)
     if (reads.frame)
         text += kFrameAccessors;
     if (reads.lights)
-        text += lights_part(lights);
+        text += lights_part(facts);
+    if (reads.materials)
+        text += fmt::format("bool materials_have_metal() {{ return {}; }}\n", facts.metal > 0.0);
     if (reads.elements)
         text += kElements;
     return text;
@@ -132,9 +140,9 @@ std::string common_part(const Reads& reads, const LightFacts& lights)
 
 } // namespace
 
-std::string accessors(const Reads& reads, PassKind kind, const LightFacts& lights)
+std::string accessors(const Reads& reads, PassKind kind, const Facts& facts)
 {
-    std::string text = common_part(reads, lights);
+    std::string text = common_part(reads, facts);
     if (reads.elements && kind == PassKind::geometry) {
         // A mirrored element has its winding, and so the host's front face, flipped already.
         text += "bool element_is_back_facing() { return !gl_FrontFacing; }\n";
@@ -159,6 +167,7 @@ const std::vector<std::string>& accessor_names(const std::string& read)
     static const std::map<std::string, std::vector<std::string>> names = {
         {"camera", {"view_ray", "world_from_view", "view_from_world", "camera_position", "view_distance"}},
         {"frame", {"frame_time", "frame_delta", "frame_index", "frame_is_cut", "random"}},
+        {"materials", {"materials_have_metal"}},
         {"lights", {"light_count", "light", "Light", "lights_have_ends", "lights_have_cones"}},
         {"elements",
          {"element_to_view", "element_normal_to_view", "element_texels", "element_last_level", "element_wrap",

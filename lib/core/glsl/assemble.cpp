@@ -49,13 +49,15 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
     const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
     const auto add = [&](const std::string& suffix, const std::string& parameters, std::string_view function,
                          std::string_view place) {
-        const bool is_zero = (part == Part::background && source.is_tested_depth) ||
+        const bool is_zero = source.kind == InputSource::Kind::black || (part == Part::background && source.is_tested_depth) ||
                              (part == Part::when_skipped && source.is_black_when_skipped);
-        const std::string whole = is_zero ? fmt::format("{}(0.0)", glsl_type(info(source.signal).components))
+        const bool is_constant = source.kind == InputSource::Kind::constant || source.kind == InputSource::Kind::black;
+        const int components = is_constant ? seen_components(port) : info(source.signal).components;
+        const std::string whole = is_zero ? fmt::format("{}(0.0)", glsl_type(components))
                                   : source.kind == InputSource::Kind::value   ? source.name
                                   : source.kind == InputSource::Kind::texture ? texture_value(source, function, place)
                                                                               : constant_value(port);
-        const bool is_wide = source.kind != InputSource::Kind::constant && drops_alpha;
+        const bool is_wide = !is_constant && drops_alpha;
         text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters,
                                   is_wide ? "(" + whole + ")" : whole, is_wide ? ".rgb" : ""));
         if (is_wide && suffix.empty())
@@ -84,9 +86,9 @@ void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSo
 {
     const std::string_view type = glsl_type(seen_components(port));
     const bool is_wired = source.kind == InputSource::Kind::cube;
-    const std::string value = is_wired
-                                  ? texture_value(source, "textureLod", "direction, lod")
-                                  : constant_value(port);
+    const std::string constant =
+        source.kind == InputSource::Kind::black ? fmt::format("{}(0.0)", type) : constant_value(port);
+    const std::string value = is_wired ? texture_value(source, "textureLod", "direction, lod") : constant;
     text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
     text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
                               is_wired ? fmt::format("passgraph_top_level(textureSize({}, 0).x)", source.pieces.front().sampler) : "0.0"));
@@ -94,7 +96,7 @@ void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSo
         return;
     const std::string irradiance = is_wired
                                        ? fmt::format("passgraph_irradiance({}, direction)", harmonics_name(source.pieces.front().sampler))
-                                       : fmt::format("{} * 3.14159265358979324", constant_value(port));
+                                       : fmt::format("{} * 3.14159265358979324", constant);
     text.add_line(fmt::format("{} {}_irradiance(vec3 direction) {{ return {}; }}", type, name, irradiance));
 }
 
@@ -287,7 +289,7 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
     if (std::any_of(step.samplers.begin(), step.samplers.end(), [](const auto& sampler) { return sampler.is_cube; }))
         text.add(sphere_functions());
     text.add(glsl_codec_functions());
-    text.add(accessors(step.reads, step.kind, step.lights));
+    text.add(accessors(step.reads, step.kind, step.facts));
     text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
     for (const Instance& instance : step.instances)
         add_instance(text, instance, part);

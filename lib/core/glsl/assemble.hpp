@@ -15,8 +15,8 @@ namespace passgraph::glsl {
 
 /// Where a pass's input gets its values in this step.
 struct InputSource {
-    enum class Kind { value, texture, cube, constant };
-    Kind kind = Kind::constant;
+    enum class Kind { value, texture, cube, constant, black };
+    Kind kind = Kind::constant; ///< constant: the port's default
     /// A sampler, and the channels in which it holds codes of the image.
     struct Piece {
         std::string sampler;
@@ -67,7 +67,7 @@ struct StepSource {
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
     bool discards_black = false; ///< pixels whose stored values all are 0 are not drawn
     bool has_skipped_variant = false; ///< a second text for which inputs are black that may be
-    LightFacts lights;
+    Facts facts; ///< of the scenes that the program is for
     bool has_guards = true; ///< values are brought into their signal's domain
 };
 

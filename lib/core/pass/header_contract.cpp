@@ -26,18 +26,6 @@ constexpr std::array<LawRow, kLawCount> kLaws = {{
 
 bool is_light(Signal signal) { return info(signal).is_generic_color || signal == Signal::color; }
 
-struct Bounds {
-    double lowest = 0.0;
-    double highest = 0.0;
-};
-
-Bounds domain_of(Signal signal)
-{
-    const SignalInfo& row = info(signal);
-    const bool is_signed = row.guard == Guard::finite || row.guard == Guard::unit_vector;
-    return {is_signed ? -static_cast<double>(row.cap) : 0.0, static_cast<double>(row.cap)};
-}
-
 } // namespace
 
 std::string_view name(Law law) { return kLaws[static_cast<size_t>(law)].name; }
@@ -111,7 +99,7 @@ private:
                               is_range ? "two numbers, the second of which may be \"saturated\"" : "two numbers", errors_);
             return;
         }
-        const Bounds domain = domain_of(signal);
+        const Domain domain = domain_of(signal);
         Contract::Span span{member.key, value.array[0].number, is_saturated ? domain.highest : value.array[1].number,
                             is_saturated, member.where};
         const std::string_view of = info(signal).name;
@@ -146,9 +134,9 @@ private:
         JsonFields fields(json, "\"non_finite\"", errors_);
         if (const Json* within = fields.require("contained")) {
             if (within->is(Json::Kind::number) && within->number >= 0.0)
-                contract_.within = fmt::format("{}", within->number);
-            else if (within->is(Json::Kind::string) && !within->string.empty())
-                contract_.within = within->string;
+                contract_.within = *Formula::parse(fmt::format("{}", within->number), within->where);
+            else if (within->is(Json::Kind::string))
+                contract_.within = read_formula(*within, formula_names(pass_), "parameters and choices", errors_);
             else
                 report_wrong_type(*within, "\"contained\"", "a number of texels, or an expression of parameters", errors_);
         }
@@ -190,59 +178,9 @@ private:
     Contract& contract_;
 };
 
-/// Why a pass cannot be one of its inputs, and what to do about it; empty when it can.
-std::pair<std::string, std::string> why_not_identical(const PassDeclaration& pass, const InputPort& input)
-{
-    const OutputPort& output = pass.outputs.front();
-    if (pass.outputs.size() != 1)
-        return {fmt::format("it has {} outputs", pass.outputs.size()),
-                "only a pass of one output can be its input"};
-    if (output.signal != input.signal)
-        return {fmt::format("`{}` is {}, the output `{}` is {}", input.name, info(input.signal).name, output.name,
-                            info(output.signal).name),
-                "name an input of the output's signal"};
-    if (input.over != Over::image)
-        return {fmt::format("`{}` is no picture", input.name), "name an input that is a picture"};
-    const bool is_of_other = !output.size_of.empty() && output.size_of != input.name;
-    if (output.texels || output.scale != Ratio{} || is_of_other)
-        return {fmt::format("the output `{}` has another extent than `{}`", output.name, input.name),
-                is_of_other ? fmt::format("name `{}`, whose extent it has", output.size_of)
-                            : "an output of another size is never its input"};
-    return {};
-}
-
 } // namespace
 
 void read_contract(const Json& contract, PassDeclaration& pass, Errors& errors) { ContractReader(contract, pass, errors).run(); }
-
-void check_is_input(const Json& named, const PassDeclaration& pass, Errors& errors)
-{
-    const int input = pass.find_input(named.string);
-    if (input < 0) {
-        std::vector<std::string> names;
-        for (const InputPort& port : pass.inputs)
-            names.push_back(port.name);
-        errors.push_back({"unknown_input", fmt::format("there is no input `{}`", named.string),
-                          suggest(named.string, names, "inputs"), named.where});
-    } else if (!pass.outputs.empty()) {
-        const auto [why, hint] = why_not_identical(pass, pass.inputs[static_cast<size_t>(input)]);
-        if (!why.empty())
-            errors.push_back({"identity_mismatch", fmt::format("the pass cannot be its input `{}`: {}", named.string, why), hint,
-                              named.where});
-    }
-}
-
-void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors)
-{
-    JsonFields fields(identity, "\"identity\"", errors);
-    if (const Json* when = fields.require("when", Json::Kind::string))
-        pass.identity_when = when->string;
-    if (const Json* is = fields.require("is", Json::Kind::string)) {
-        pass.identity_is = is->string;
-        check_is_input(*is, pass, errors);
-    }
-    fields.finish();
-}
 
 } // namespace header
 } // namespace passgraph

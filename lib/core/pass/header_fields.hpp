@@ -21,7 +21,20 @@ void read_layouts(const Json& layouts, PassDeclaration& pass, Errors& errors);
 
 /// "contract": what the pass promises of its values; after its ports, parameters and selections.
 void read_contract(const Json& contract, PassDeclaration& pass, Errors& errors);
-/// "identity": under which parameters the pass is which of its inputs; after its ports.
+/// What a formula may not know of `names` (unknown_name), of which `what` says what they are. True: it knows all.
+bool check_names(const Formula& formula, const std::vector<std::string>& names, std::string_view what, Errors& errors);
+/// A formula of these names, of which `what` says what they are. Errors: wrong_type, formula_syntax, unknown_name.
+std::optional<Formula> read_formula(const Json& text, const std::vector<std::string>& names, std::string_view what, Errors& errors);
+
+// What follows is read after ports, parameters and selections.
+
+/// "needs": facts of the scene without which the pass is not worth running. Errors: unknown_fact.
+void read_needs(const Json& needs, PassDeclaration& pass, Errors& errors);
+/// "bound": a formula per output, or one for the only output: its largest component. Errors: bound_without_black.
+void read_bounds(const Json& bounds, PassDeclaration& pass, Errors& errors);
+/// "ignores": a condition per input under which what is wired to it makes no difference.
+void read_ignores(const Json& ignores, PassDeclaration& pass, Errors& errors);
+/// "identity": when the pass is which of its inputs; one, or an array.
 void read_identity(const Json& identity, PassDeclaration& pass, Errors& errors);
 /// "black": which inputs being 0 everywhere make an output 0 everywhere; after its ports.
 void read_black(const Json& black, PassDeclaration& pass, Errors& errors);

@@ -136,7 +136,12 @@ void read_long_form(const Json& json, Param& param, Errors& errors)
     param.unit = fields.text("unit");
     param.label = fields.text("label");
     param.group = fields.text("group");
-    param.visible_if = fields.text("visible_if");
+    if (const Json* condition = fields.find("visible_if", Json::Kind::string)) {
+        if (Result<Formula> formula = Formula::parse(condition->string, condition->where))
+            param.visible_if = std::move(*formula);
+        else
+            append(errors, formula.error());
+    }
     param.is_static = fields.boolean("static", false);
     if (const Json* scale = fields.find("scale", Json::Kind::string)) {
         param.is_logarithmic = scale->string == "log";

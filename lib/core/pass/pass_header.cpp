@@ -82,19 +82,16 @@ private:
 
 void read_reads(const Json& reads, PassDeclaration& pass, Errors& errors)
 {
+    std::vector<std::string> names;
+    for (const ReadRow& row : kReads)
+        names.emplace_back(row.name);
     for (const Json& item : reads.array) {
-        if (item.string == "camera")
-            pass.reads.camera = true;
-        else if (item.string == "lights")
-            pass.reads.lights = true;
-        else if (item.string == "frame")
-            pass.reads.frame = true;
-        else if (item.string == "elements")
-            pass.reads.elements = true;
+        const auto row = std::find_if(kReads.begin(), kReads.end(), [&](const ReadRow& known) { return known.name == item.string; });
+        if (row != kReads.end())
+            pass.reads.*row->member = true;
         else
             errors.push_back({"unknown_item", fmt::format("a pass cannot read `{}`", item.string),
-                              suggest(item.string, {"camera", "lights", "frame", "elements"}, "things to read"),
-                              item.where});
+                              suggest(item.string, names, "things to read"), item.where});
     }
 }
 
@@ -200,10 +197,19 @@ void read_fields(const Json& root, PassDeclaration& pass, Errors& errors)
     if (const Json* layouts = fields.find("layouts", Json::Kind::object))
         header::read_layouts(*layouts, pass, errors);
     header::check_filters(pass, errors);
+    for (const Param& param : pass.params)
+        if (param.visible_if)
+            header::check_names(*param.visible_if, formula_names(pass), "parameters and choices", errors);
     if (const Json* reads = fields.find("reads", Json::Kind::array))
         read_reads(*reads, pass, errors);
-    if (const Json* identity = fields.find("identity", Json::Kind::object))
+    if (const Json* identity = fields.find("identity"))
         header::read_identity(*identity, pass, errors);
+    if (const Json* needs = fields.find("needs"))
+        header::read_needs(*needs, pass, errors);
+    if (const Json* bounds = fields.find("bound"))
+        header::read_bounds(*bounds, pass, errors);
+    if (const Json* ignores = fields.find("ignores", Json::Kind::object))
+        header::read_ignores(*ignores, pass, errors);
     if (const Json* contract = fields.find("contract", Json::Kind::object))
         header::read_contract(*contract, pass, errors);
     if (const Json* where = fields.find("only_where"))

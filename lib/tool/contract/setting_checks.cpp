@@ -1,25 +1,14 @@
-// Parameters at and beyond the ends of their ranges, and the settings that make a pass its input.
+// Parameters at and beyond the ends of their ranges.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "tool/contract/scenes.hpp"
 #include "tool/contract/suite.hpp"
-#include "tool/contract/values.hpp"
 
 namespace passgraph::tool::contract {
 namespace {
-
-PassArguments::Setting number_setting(const Param& param, double value)
-{
-    PassArguments::Setting setting;
-    setting.name = param.name;
-    setting.numbers.assign(static_cast<size_t>(component_count(param.type)), value);
-    return setting;
-}
 
 bool has_code(const Errors& errors, std::string_view code)
 {
@@ -78,82 +67,11 @@ void check_parameters(const Subject& subject)
     }
 }
 
-/// Settings around the defaults under which the header's condition may hold: each parameter at its ends, at 0 and at 1.
-std::vector<Settings> candidates(const PassDeclaration& pass)
-{
-    std::vector<Settings> all = {{}};
-    for (const Settings& settings : parameter_variants(pass))
-        all.push_back(settings);
-    for (const Param& param : pass.params)
-        for (const double value : {0.0, 1.0})
-            if (param.type != ParamType::enum_ && param.type != ParamType::bool_ && value >= param.lowest && value <= param.highest)
-                all.push_back({number_setting(param, value)});
-    return all;
-}
-
-bool is_filtered(const PassDeclaration& pass)
-{
-    const InputPort& port = pass.inputs[static_cast<size_t>(pass.find_input(pass.identity_is))];
-    return port.filter == Filter::linear || !port.filter_by.empty();
-}
-
-void check_identity(const Subject& subject)
-{
-    const PassDeclaration& pass = *subject.pass;
-    if (pass.identity_when.empty())
-        return;
-    bool is_met = false;
-    std::mt19937 random(5);
-    for (const Settings& settings : candidates(pass)) {
-        const Result<double> holds = value_of(subject, pass.identity_when, settings);
-        if (!holds || *holds == 0.0)
-            continue;
-        for (const Settings& selection : selection_variants(pass)) {
-            is_met = true;
-            StageOptions options;
-            options.settings = settings;
-            options.settings.insert(options.settings.end(), selection.begin(), selection.end());
-            std::optional<Stage> stage = open_stage(subject, options);
-            if (!stage)
-                return;
-            Feed feed;
-            for (const InputPort& port : pass.inputs)
-                feed[port.name] = picture_of(Filling::random, signal_of(port.signal, options), span_of(pass.contract.domain, port.name, signal_of(port.signal, options)),
-                                             extent_of(port, options), random);
-            static const Scene scene = lit_scene();
-            const auto outputs = run_stage(subject, *stage, feed, pass.reads.lights || pass.reads.camera ? &scene : nullptr, options);
-            if (!outputs)
-                return;
-            subject.findings.count_run("identity");
-            const Picture& out = outputs->begin()->second;
-            const Picture& in = feed.at(pass.identity_is);
-            const float largest = is_filtered(pass) ? *std::max_element(in.texels.begin(), in.texels.end()) : 0.0f;
-            for (size_t i = 0; i < out.texels.size(); ++i) {
-                // A division is a product with a rounded reciprocal on many devices: x / x may miss 1 by a few last bits. And a
-                // linear filter takes a rounding's share of the neighbors even at a texel's center.
-                const float allowed = 4.0f / 16777216.0f * std::abs(in.texels[i]) + static_cast<float>(kRounding) * largest;
-                if (std::abs(out.texels[i] - in.texels[i]) <= allowed)
-                    continue;
-                const auto texel = static_cast<int>(i) / out.channels;
-                subject.findings.add({"identity", to_text(options.settings), "random values",
-                                      fmt::format("({}, {}) of {}x{}", texel % out.extent.width, texel / out.extent.width, out.extent.width, out.extent.height),
-                                      fmt::format("{:.9g}", out.texels[i]), fmt::format("`{}` itself: {:.9g}", pass.identity_is, in.texels[i]),
-                                      "correct \"identity\", or the pass: a compiler leaves it out where the condition holds"});
-                break;
-            }
-        }
-    }
-    if (!is_met)
-        subject.findings.add({"identity", "", "", fmt::format("\"{}\"", pass.identity_when), "no parameters within their ranges meet it",
-                              "a condition that can hold", "correct the condition, or the range"});
-}
-
 } // namespace
 
 void check_settings(const Subject& subject)
 {
     check_parameters(subject);
-    check_identity(subject);
 }
 
 } // namespace passgraph::tool::contract

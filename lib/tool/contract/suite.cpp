@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <passgraph/gl/evaluate.hpp>
+#include <passgraph/core/facts.hpp>
 
 namespace passgraph::tool::contract {
 namespace {
@@ -33,44 +33,6 @@ std::array<double, 2> ends_of(const Param& param)
     if (param.type == ParamType::enum_)
         return {0.0, static_cast<double>(param.items.size()) - 1.0};
     return {std::isfinite(param.lowest) ? param.lowest : -kFar, std::isfinite(param.highest) ? param.highest : kFar};
-}
-
-/// The parameters and selections, with the values they have under the settings, as GLSL constants.
-std::string constants_of(const PassDeclaration& pass, const Settings& settings)
-{
-    std::string text;
-    const auto find = [&](const std::string& name) {
-        return std::find_if(settings.begin(), settings.end(), [&](const auto& setting) { return setting.name == name; });
-    };
-    for (const Param& param : pass.params) {
-        std::array<double, 4> numbers = param.default_value.v;
-        if (const auto set = find(param.name); set != settings.end()) {
-            if (!set->numbers.empty())
-                std::copy_n(set->numbers.begin(), std::min<size_t>(set->numbers.size(), 4), numbers.begin());
-            else if (param.type == ParamType::bool_)
-                numbers[0] = set->item == "true" ? 1.0 : 0.0;
-            else
-                numbers[0] = static_cast<double>(std::find(param.items.begin(), param.items.end(), set->item) - param.items.begin());
-        }
-        const bool is_whole = param.type == ParamType::int_ || param.type == ParamType::enum_;
-        const int count = component_count(param.type);
-        const std::string type = param.type == ParamType::bool_ ? "bool" : is_whole ? "int" : count == 1 ? "float" : fmt::format("vec{}", count);
-        std::string value = fmt::format("{:#}", static_cast<float>(numbers[0]));
-        for (int i = 1; i < count; ++i)
-            value += fmt::format(", {:#}", static_cast<float>(numbers[static_cast<size_t>(i)]));
-        text += fmt::format("const {0} {1} = {0}({2});\n", type, param.name, value);
-        for (size_t item = 0; item < param.items.size(); ++item)
-            text += fmt::format("const int {}_{} = {};\n", param.name, param.items[item], item);
-    }
-    for (const Selection& selection : pass.selections) {
-        const auto set = find(selection.name);
-        for (size_t item = 0; item < selection.items.size(); ++item) {
-            text += fmt::format("const int {}_{} = {};\n", selection.name, selection.items[item], item);
-            if (set == settings.end() ? static_cast<int>(item) == selection.default_item : set->item == selection.items[item])
-                text += fmt::format("const int {} = {};\n", selection.name, item);
-        }
-    }
-    return text;
 }
 
 } // namespace
@@ -157,16 +119,52 @@ std::optional<std::map<std::string, Picture>> run_stage(const Subject& subject, 
     return std::nullopt;
 }
 
-Result<double> value_of(const Subject& subject, const std::string& expression, const Settings& settings)
+PassArguments::Setting number_setting(const Param& param, double value)
 {
-    Evaluation evaluation;
-    evaluation.declarations = constants_of(*subject.pass, settings);
-    evaluation.expression = fmt::format("float({})", expression);
-    evaluation.rows = {{}};
-    const auto values = evaluate(evaluation, subject.loader);
-    if (!values)
-        return tl::unexpected(values.error());
-    return static_cast<double>(values->front().front());
+    PassArguments::Setting setting;
+    setting.name = param.name;
+    setting.numbers.assign(static_cast<size_t>(component_count(param.type)), value);
+    return setting;
+}
+
+double value_of(const Formula& formula, const PassDeclaration& pass, const Settings& settings, const std::string& black)
+{
+    return value_of(formula, pass, settings, black.empty() ? std::map<std::string, double, std::less<>>{} : std::map<std::string, double, std::less<>>{{black, 0.0}});
+}
+
+double value_of(const Formula& formula, const PassDeclaration& pass, const Settings& settings,
+                const std::map<std::string, double, std::less<>>& largest)
+{
+    std::vector<Value> params;
+    std::vector<int> selections;
+    for (const Param& param : pass.params)
+        params.push_back(param.default_value);
+    for (const Selection& selection : pass.selections)
+        selections.push_back(selection.default_item);
+    const auto item_of = [](const std::vector<std::string>& items, const std::string& item) {
+        return std::find(items.begin(), items.end(), item) - items.begin();
+    };
+    for (const PassArguments::Setting& setting : settings) {
+        if (const int at = pass.find_selection(setting.name); at >= 0)
+            selections[static_cast<size_t>(at)] = static_cast<int>(item_of(pass.selections[static_cast<size_t>(at)].items, setting.item));
+        const int at = pass.find_param(setting.name);
+        if (at < 0)
+            continue;
+        Value& value = params[static_cast<size_t>(at)];
+        std::copy_n(setting.numbers.begin(), std::min<size_t>(setting.numbers.size(), 4), value.v.begin());
+        if (setting.numbers.empty())
+            value.v[0] = pass.params[static_cast<size_t>(at)].type == ParamType::bool_
+                             ? (setting.item == "true" ? 1.0 : 0.0)
+                             : static_cast<double>(item_of(pass.params[static_cast<size_t>(at)].items, setting.item));
+    }
+    return formula.value([&](std::string_view name) -> std::optional<Formula::Number> {
+        if (const auto setting = find_setting(pass, params, selections, name))
+            return setting;
+        if (name.ends_with(kBehind)) // whatever is there must make no difference
+            name.remove_suffix(kBehind.size());
+        const auto known = largest.find(name);
+        return Formula::Number{{known != largest.end() ? known->second : Facts::kUnknown}, 1};
+    });
 }
 
 PassReport test_pass(const PassLibrary& library, const PassPtr& pass, GlLoader loader)
@@ -177,6 +175,7 @@ PassReport test_pass(const PassLibrary& library, const PassPtr& pass, GlLoader l
     check_values(subject);
     check_guards(subject);
     check_settings(subject);
+    check_omissions(subject);
     check_laws(subject);
     return report;
 }

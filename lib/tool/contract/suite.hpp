@@ -29,6 +29,8 @@ struct Subject {
 ///   guarded       with guards, a bad texel gives what its replacement gives, and outputs keep to their signals
 ///   layouts       a geometry pass's outputs keep to their signals under each of its layouts
 ///   identity      where the header's identity holds, the pass is its input
+///   ignores       where an input is ignored, it might as well be black
+///   bound         no output is larger than the header says
 ///   law_NAME      a law of the contract
 ///   param_range   parameters are taken up to the ends of their ranges, and refused beyond
 ///   bound_as_guard  no min, max or clamp stands there for NaN alone, which it does not stop (where no contract is stated)
@@ -42,6 +44,7 @@ void check_values(const Subject& subject);
 void check_guards(const Subject& subject);
 void check_laws(const Subject& subject);
 void check_settings(const Subject& subject);
+void check_omissions(const Subject& subject);
 
 /// One settings per item of each selection around the defaults, the defaults first.
 std::vector<Settings> selection_variants(const PassDeclaration& pass);
@@ -57,7 +60,14 @@ std::optional<std::map<std::string, Picture>> run_stage(const Subject& subject, 
 /// What inputs of signal `color` are fed with in turn; one signal that stands for all where the pass has none.
 std::vector<Signal> generic_signals(const PassDeclaration& pass);
 
-/// The value of a GLSL expression of the pass's parameters under these settings. Errors: shader_failed.
-Result<double> value_of(const Subject& subject, const std::string& expression, const Settings& settings);
+/// A setting of every component of a parameter.
+PassArguments::Setting number_setting(const Param& param, double value);
+
+/// The value of a header's formula under these settings and inputs' largest components; nothing else is known of inputs, nor of
+/// the scene.
+double value_of(const Formula& formula, const PassDeclaration& pass, const Settings& settings,
+                const std::map<std::string, double, std::less<>>& largest = {});
+/// With one input black, or none (`black` is "").
+double value_of(const Formula& formula, const PassDeclaration& pass, const Settings& settings, const std::string& black);
 
 } // namespace passgraph::tool::contract

@@ -137,14 +137,8 @@ private:
         const std::vector<std::string>& anywhere = subject_.contract().anywhere;
         if (port.over != Over::image || std::find(anywhere.begin(), anywhere.end(), port.name) != anywhere.end())
             return HUGE_VAL; // a place in a table or a direction has no neighbourhood in the picture
-        if (!subject_.contract().within.empty()) {
-            const Result<double> value = value_of(subject_, subject_.contract().within, options_.settings);
-            if (value)
-                return *value;
-            report("contained", "", subject_.contract().within, to_text(value.error().front()), "a number of texels",
-                   "\"contained\" takes a GLSL expression of the pass's parameters");
-            return std::nullopt;
-        }
+        if (subject_.contract().within)
+            return value_of(*subject_.contract().within, *subject_.pass, options_.settings);
         if (!subject_.contract().is_stated && port.access.radius == Access::kUnknownRadius)
             return HUGE_VAL; // nobody has promised anything
         const bool is_known = port.access.kind != AccessClass::warp && port.access.radius != Access::kUnknownRadius && !subject_.pass->composite;

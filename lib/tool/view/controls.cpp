@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "tool/view/visible_if.hpp"
 
 namespace passgraph::tool::view {
 namespace {
@@ -108,6 +107,13 @@ GraphNode node_with(const GraphDescription::Pass& use, const PassPtr& declaratio
     return alone.nodes().front();
 }
 
+/// What the header's `visible_if` says of a node's values.
+bool is_visible(const Param& param, const GraphNode& node)
+{
+    const auto value_of = [&](std::string_view name) { return find_setting(*node.pass, node.params, node.selections, name); };
+    return !param.visible_if || param.visible_if->value(value_of) != 0.0;
+}
+
 } // namespace
 
 std::vector<PassControls> controls_of(const GraphDescription& description, const PassLibrary& library, const Settings& settings)
@@ -122,7 +128,7 @@ std::vector<PassControls> controls_of(const GraphDescription& description, const
         PassControls controls{.name = use.name, .pass = pass->name, .summary = pass->summary, .controls = {}};
         for (size_t i = 0; i < pass->params.size(); ++i) {
             controls.controls.push_back(control_of(use.name, pass->params[i], now.params[i], original.params[i], now.is_static[i]));
-            controls.controls.back().is_visible = is_visible(pass->params[i].visible_if, now);
+            controls.controls.back().is_visible = is_visible(pass->params[i], now);
         }
         for (size_t i = 0; i < pass->selections.size(); ++i)
             controls.controls.push_back(control_of(use.name, pass->selections[i], now.selections[i], original.selections[i]));

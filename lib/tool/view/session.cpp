@@ -61,6 +61,7 @@ CompileOptions Session::compile_options() const
     CompileOptions options = options_.compiler;
     options.extent = planned_extent_;
     options.device = device_;
+    options.facts = facts_;
     return options;
 }
 

@@ -89,6 +89,7 @@ private:
     void take_loaded();
     void take_scene(LoadedScene loaded);
     void take_scene_images();
+    void show_coming_scene();
     /// The first scene is not on the device yet: nothing can be drawn.
     bool is_awaiting_scene() const { return coming_scene_ && !scene_; }
     void keep_scene_errors(Errors errors);
@@ -139,6 +140,8 @@ private:
     /// A scene that was read and is on its way to the device.
     std::shared_ptr<const Scene> coming_scene_;
     std::future<Result<SceneImages>> scene_images_;
+    std::optional<SceneImages> coming_images_; ///< waits for a plan that is right for it
+    Facts facts_; ///< that plans are made for
 };
 
 } // namespace passgraph::tool::view

@@ -82,6 +82,7 @@ void Session::take_loaded()
     if (std::optional<LoadedScene> loaded = loader_->take_scene())
         take_scene(std::move(*loaded));
     take_scene_images();
+    show_coming_scene();
 }
 
 void Session::keep_scene_errors(Errors errors)
@@ -101,6 +102,7 @@ void Session::take_scene(LoadedScene loaded)
     if (scene_images_.valid())
         scene_images_.wait(); // those of a scene that is out of date already
     coming_scene_ = std::move(loaded.scene);
+    coming_images_.reset();
     scene_images_ = std::async(std::launch::async, [renderer = &stage_.renderer(), scene = coming_scene_] {
         Result<SceneImages> images = renderer->images_of(*scene);
         Window::wake();
@@ -113,8 +115,31 @@ void Session::take_scene_images()
     if (!scene_images_.valid() || scene_images_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return;
     Result<SceneImages> images = scene_images_.get();
+    if (images) {
+        coming_images_ = std::move(*images);
+        return;
+    }
+    coming_scene_.reset();
+    keep_scene_errors(images.error());
+}
+
+/// A plan for what the old scene calls for would draw the new one wrongly: one for both runs in between.
+void Session::show_coming_scene()
+{
+    if (!coming_images_)
+        return;
+    const Facts facts = coming_images_->facts();
+    const bool is_right = !scene_ || !stage_.is_ready() || broken_promises(stage_.plan().facts, facts).empty();
+    if (!is_right && state_.mistakes.plan.empty()) {
+        const Facts both = either(stage_.plan().facts, facts);
+        needs_plan_ |= !(facts_ == both);
+        facts_ = both;
+        return;
+    }
+    needs_plan_ |= !(facts_ == facts);
+    facts_ = facts;
     const std::shared_ptr<const Scene> scene = std::exchange(coming_scene_, nullptr);
-    const Result<void> set = images ? stage_.set_scene(scene, std::move(*images)) : Result<void>(tl::unexpected(images.error()));
+    const Result<void> set = stage_.set_scene(scene, std::move(*std::exchange(coming_images_, std::nullopt)));
     keep_scene_errors(set ? Errors{} : set.error());
     if (!set)
         return;

@@ -97,7 +97,7 @@ bool runs_alike(const Plan& a, const Plan& b)
     const auto same_output = [&](const Plan::Output& x, const Plan::Output& y) {
         return x.name == y.name && x.source == y.source && x.signal == y.signal && x.codec == y.codec && x.index == y.index;
     };
-    return a.extent == b.extent && std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end(), same_slot) &&
+    return a.extent == b.extent && a.facts == b.facts && std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end(), same_slot) &&
            std::equal(a.imports.begin(), a.imports.end(), b.imports.begin(), b.imports.end(), same_import) &&
            std::equal(a.outputs.begin(), a.outputs.end(), b.outputs.begin(), b.outputs.end(), same_output) &&
            std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(), same_steps);

@@ -1,0 +1,212 @@
+// What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound".
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include <passgraph/core/facts.hpp>
+
+#include "tool/contract/scenes.hpp"
+#include "tool/contract/suite.hpp"
+#include "tool/contract/values.hpp"
+
+namespace passgraph::tool::contract {
+namespace {
+
+/// One way in which a header's condition may be met: settings, and an input that is black.
+struct Case {
+    Settings settings;
+    std::string black;
+};
+
+/// Settings around the defaults: each parameter at its ends, at 0 and at 1; each with no input black, and with each of them.
+std::vector<Case> cases_of(const PassDeclaration& pass)
+{
+    std::vector<Settings> all = {{}};
+    for (const Settings& settings : parameter_variants(pass))
+        all.push_back(settings);
+    for (const Param& param : pass.params)
+        for (const double value : {0.0, 1.0})
+            if (param.type != ParamType::enum_ && param.type != ParamType::bool_ && value >= param.lowest && value <= param.highest)
+                all.push_back({number_setting(param, value)});
+    std::vector<Case> cases;
+    for (const Settings& settings : all) {
+        cases.push_back({settings, ""});
+        for (const InputPort& port : pass.inputs)
+            if (port.over != Over::scene && is_light(port.signal))
+                cases.push_back({settings, port.name});
+    }
+    return cases;
+}
+
+class OmissionChecks {
+public:
+    explicit OmissionChecks(const Subject& subject) : subject_(subject), pass_(*subject.pass), random_(5) {}
+
+    void run()
+    {
+        for (const Identity& identity : pass_.identities)
+            check_identity(identity);
+        for (const InputPort& port : pass_.inputs)
+            if (port.ignored_when)
+                check_ignored(port);
+        for (const OutputPort& port : pass_.outputs)
+            if (port.bound)
+                check_bound(port);
+    }
+
+private:
+    struct Drawing {
+        StageOptions options;
+        Feed feed;
+        std::map<std::string, Picture> outputs;
+    };
+
+    Feed feed_of(const StageOptions& options, const std::string& black)
+    {
+        Feed feed;
+        for (const InputPort& port : pass_.inputs) {
+            if (port.over == Over::scene)
+                continue;
+            const Signal signal = signal_of(port.signal, options);
+            Picture picture =
+                picture_of(Filling::random, signal, span_of(subject_.contract().domain, port.name, signal), extent_of(port, options), random_);
+            if (port.name == black)
+                std::fill(picture.texels.begin(), picture.texels.end(), 0.0f);
+            feed[port.name] = std::move(picture);
+        }
+        return feed;
+    }
+
+    std::optional<std::map<std::string, Picture>> draw(Stage& stage, const Feed& feed, const StageOptions& options) const
+    {
+        static const Scene scene = lit_scene();
+        const bool has_scene = pass_.reads.lights || pass_.reads.camera || pass_.kind == PassKind::geometry;
+        return run_stage(subject_, stage, feed, has_scene ? &scene : nullptr, options);
+    }
+
+    /// Calls `check` for every case under which the condition holds, with each item of each selection. Reports when none does.
+    template <class Check> void for_each_case(const Formula& when, std::string_view rule, const Check& check)
+    {
+        bool is_met = false;
+        for (const Case& one : cases_of(pass_)) {
+            for (const Settings& selection : selection_variants(pass_)) {
+                StageOptions options;
+                options.settings = one.settings;
+                options.settings.insert(options.settings.end(), selection.begin(), selection.end());
+                if (value_of(when, pass_, options.settings, one.black) == 0.0)
+                    continue;
+                is_met = true;
+                std::optional<Stage> stage = open_stage(subject_, options);
+                if (!stage || !check(*stage, options, one.black))
+                    return;
+            }
+        }
+        const auto is_of_scene = [](const Formula::Name& name) { return find_fact(name.text) != nullptr; };
+        if (!is_met && std::none_of(when.names().begin(), when.names().end(), is_of_scene))
+            subject_.findings.add({std::string(rule), "", "", fmt::format("\"{}\"", when.text()), "no parameters within their ranges meet it",
+                                   "a condition that can hold", "correct the condition, or the range"});
+    }
+
+    static std::string place_of(const Picture& picture, size_t component)
+    {
+        const auto texel = static_cast<int>(component) / picture.channels;
+        return fmt::format("({}, {}) of {}x{}", texel % picture.extent.width, texel / picture.extent.width, picture.extent.width,
+                           picture.extent.height);
+    }
+
+    void check_identity(const Identity& identity)
+    {
+        const InputPort& port = pass_.inputs[static_cast<size_t>(pass_.find_input(identity.is))];
+        const bool is_filtered = port.filter == Filter::linear || !port.filter_by.empty();
+        for_each_case(identity.when, "identity", [&](Stage& stage, const StageOptions& options, const std::string& black) {
+            const Feed feed = feed_of(options, black);
+            const auto outputs = draw(stage, feed, options);
+            if (!outputs)
+                return false;
+            subject_.findings.count_run("identity");
+            const Picture& out = outputs->begin()->second;
+            const Picture& in = feed.at(identity.is);
+            const float largest = is_filtered ? *std::max_element(in.texels.begin(), in.texels.end()) : 0.0f;
+            for (size_t i = 0; i < out.texels.size(); ++i) {
+                // A division is a product with a rounded reciprocal on many devices: x / x may miss 1 by a few last bits. And a
+                // linear filter takes a rounding's share of the neighbors even at a texel's center.
+                const float allowed = 4.0f / 16777216.0f * std::abs(in.texels[i]) + static_cast<float>(kRounding) * largest;
+                if (std::abs(out.texels[i] - in.texels[i]) <= allowed)
+                    continue;
+                subject_.findings.add({"identity", to_text(options.settings), fed(black), place_of(out, i), fmt::format("{:.9g}", out.texels[i]),
+                                       fmt::format("`{}` itself: {:.9g}", identity.is, in.texels[i]),
+                                       "correct \"identity\", or the pass: a compiler leaves it out where the condition holds"});
+                break;
+            }
+            return true;
+        });
+    }
+
+    void check_ignored(const InputPort& port)
+    {
+        for_each_case(*port.ignored_when, "ignores", [&](Stage& stage, const StageOptions& options, const std::string& black) {
+            Feed feed = feed_of(options, black);
+            const auto with = draw(stage, feed, options);
+            std::fill(feed.at(port.name).texels.begin(), feed.at(port.name).texels.end(), 0.0f); // as when it is left out
+            const auto without = draw(stage, feed, options);
+            if (!with || !without)
+                return false;
+            subject_.findings.count_run("ignores");
+            for (const auto& [name, picture] : *with)
+                for (size_t i = 0; i < picture.texels.size(); ++i)
+                    if (const float other = without->at(name).texels[i]; std::memcmp(&other, &picture.texels[i], sizeof(float)) != 0) {
+                        subject_.findings.add({"ignores", to_text(options.settings), fed(black), fmt::format("{} of `{}`", place_of(picture, i), name),
+                                               fmt::format("{:.9g}", picture.texels[i]),
+                                               fmt::format("as with `{}` black: {:.9g}", port.name, other),
+                                               "correct \"ignores\", or the pass: a compiler does not compute what is ignored"});
+                        return true;
+                    }
+            return true;
+        });
+    }
+
+    void check_bound(const OutputPort& port)
+    {
+        for (const Case& one : cases_of(pass_)) {
+            StageOptions options;
+            options.settings = one.settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            if (!stage)
+                return;
+            const Feed feed = feed_of(options, one.black);
+            const auto outputs = draw(*stage, feed, options);
+            if (!outputs)
+                return;
+            subject_.findings.count_run("bound");
+            std::map<std::string, double, std::less<>> largest;
+            for (const auto& [name, picture] : feed)
+                largest[name] = static_cast<double>(*std::max_element(picture.texels.begin(), picture.texels.end()));
+            const double bound = value_of(*port.bound, pass_, options.settings, largest);
+            const Picture& out = outputs->at(port.name);
+            for (size_t i = 0; i < out.texels.size(); ++i)
+                if (static_cast<double>(out.texels[i]) > bound) {
+                    subject_.findings.add({"bound", to_text(options.settings), fed(one.black), place_of(out, i), fmt::format("{:.9g}", out.texels[i]),
+                                           fmt::format("`{}` at most {:.9g}", port.name, bound),
+                                           "correct \"bound\", or the pass: what is bounded to nothing is left out"});
+                    return;
+                }
+        }
+    }
+
+    static std::string fed(const std::string& black)
+    {
+        return black.empty() ? "random values" : fmt::format("random values, `{}` black", black);
+    }
+
+    const Subject& subject_;
+    const PassDeclaration& pass_;
+    std::mt19937 random_;
+};
+
+} // namespace
+
+void check_omissions(const Subject& subject) { OmissionChecks(subject).run(); }
+
+} // namespace passgraph::tool::contract
