@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/graph_settings.hpp"
 #include "passgraph/core/graph_file.hpp"

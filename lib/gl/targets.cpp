@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace passgraph::gl {
 namespace {

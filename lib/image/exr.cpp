@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tinyexr.h>
 
 #include "image/exr_layout.hpp"

@@ -146,18 +146,18 @@ Result<void> measure_accuracy(const AccuracyOptions& options)
 
 } // namespace
 
-void add_accuracy(CLI::App& app, Action& chosen)
+void add_accuracy(CommandLine& line)
 {
     const auto options = std::make_shared<AccuracyOptions>();
-    CLI::App& command = *app.add_subcommand("accuracy", "Measures what accuracy costs in time");
+    Command command = line.add_command("accuracy", "Measures what accuracy costs in time");
     command.add_option("PASS", options->passes, "Passes by name or .glsl file, or ladders; else all ladders");
-    command.add_option("--out", options->out, "The folder for index.html, accuracy.json, accuracy.csv and charts")->required()->type_name("DIR");
+    command.add_option("--out", options->out, "The folder for index.html, accuracy.json, accuracy.csv and charts").required().type_name("DIR");
     command.add_flag("--quick", options->is_quick, "At 640x360 and with fewer rounds: in less than a minute");
     add_extent(command, "--size", options->size, "The extent to measure at; else 1280x720");
     add_to(command, options->library);
     add_to(command, options->device);
     command.footer("Ctrl-C ends the run; what has been measured is written.");
-    command.callback([options, &chosen] { chosen = [options] { return measure_accuracy(*options); }; });
+    command.action([options] { return measure_accuracy(*options); });
 }
 
 } // namespace passgraph::tool

@@ -4,12 +4,13 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tool/commands.hpp"
 #include "tool/device.hpp"
 #include "tool/job.hpp"
+#include "tool/json_text.hpp"
 #include "tool/library.hpp"
-#include "tool/pass_pages.hpp"
 #include "tool/progress.hpp"
 
 namespace passgraph::tool {
@@ -106,6 +107,17 @@ Result<void> measure(std::vector<Timed>& plans, int frames)
     return {};
 }
 
+/// What the device made of a step that may be left out; "" when it drew all of it.
+std::string why_skipped(const Plan& plan, const StepTime& time, size_t step)
+{
+    const Plan::Step& row = plan.steps[step];
+    if (!time.was_skipped)
+        return "";
+    return fmt::format("  ({}: every pixel of {} is black)",
+                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
+                       plan.queries[static_cast<size_t>(row.skipped_by)].images);
+}
+
 void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
 {
     const Timed& first = plans.front();
@@ -179,19 +191,19 @@ Result<void> bench(const BenchOptions& options)
 
 } // namespace
 
-void add_bench(CLI::App& app, Action& chosen)
+void add_bench(CommandLine& line)
 {
     const auto options = std::make_shared<BenchOptions>();
-    CLI::App& command = *app.add_subcommand("bench", "Times a graph's frame and its steps");
+    Command command = line.add_command("bench", "Times a graph's frame and its steps");
     add_to(command, options->graph);
     add_to(command, options->sources);
-    command.add_option("--frames", options->frames, "Frames to time, after warming up")->check(CLI::PositiveNumber)->type_name("N");
+    command.add_option("--frames", options->frames, "Frames to time, after warming up").positive().type_name("N");
     add_steps(command, "--compare-off", options->compared, "Times a second plan without these steps, frame by frame in turn");
     command.add_flag("--json", options->as_json, "As JSON");
     add_to(command, options->library);
     add_to(command, options->compiler);
     add_to(command, options->device);
-    command.callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+    command.action([options] { return bench(*options); });
 }
 
 } // namespace passgraph::tool

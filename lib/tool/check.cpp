@@ -60,13 +60,13 @@ Result<void> check(const CheckOptions& options)
 
 } // namespace
 
-void add_check(CLI::App& app, Action& chosen)
+void add_check(CommandLine& line)
 {
     const auto options = std::make_shared<CheckOptions>();
-    CLI::App& command = *app.add_subcommand("check", "Names every mistake of a graph or composite file");
-    command.add_option("GRAPH", options->file, "The graph file")->required();
+    Command command = line.add_command("check", "Names every mistake of a graph or composite file");
+    command.add_option("GRAPH", options->file, "The graph file").required();
     add_to(command, options->library);
-    command.callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+    command.action([options] { return check(*options); });
 }
 
 } // namespace passgraph::tool

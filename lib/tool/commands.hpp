@@ -1,27 +1,22 @@
-// The subcommands: each adds itself to the parser and leaves what is to be done.
+// The subcommands: each adds itself to the command line.
 #pragma once
 
-#include <functional>
-
-#include <CLI/CLI.hpp>
-
-#include <passgraph/core/error.hpp>
+#include "tool/command_line.hpp"
 
 namespace passgraph::tool {
 
-/// What the chosen subcommand does; an error decides the exit code.
-using Action = std::function<Result<void>()>;
-
-void add_passes(CLI::App& app, Action& chosen);
-void add_describe(CLI::App& app, Action& chosen);
-void add_check(CLI::App& app, Action& chosen);
-void add_plan(CLI::App& app, Action& chosen);
-void add_run(CLI::App& app, Action& chosen);
-void add_render(CLI::App& app, Action& chosen);
-void add_bench(CLI::App& app, Action& chosen);
-void add_eval(CLI::App& app, Action& chosen);
-void add_view(CLI::App& app, Action& chosen);
-void add_accuracy(CLI::App& app, Action& chosen);
-void add_test(CLI::App& app, Action& chosen);
+void add_passes(CommandLine& line);
+void add_describe(CommandLine& line);
+void add_check(CommandLine& line);
+void add_plan(CommandLine& line);
+void add_run(CommandLine& line);
+void add_render(CommandLine& line);
+void add_bench(CommandLine& line);
+void add_eval(CommandLine& line);
+void add_view(CommandLine& line);
+void add_accuracy(CommandLine& line);
+void add_test(CommandLine& line);
+void add_facts(CommandLine& line);
+void add_prove(CommandLine& line);
 
 } // namespace passgraph::tool

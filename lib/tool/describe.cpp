@@ -22,26 +22,23 @@ Result<void> describe(const DescribeOptions& options)
     const Result<PassPtr> pass = find_pass(options.pass, *library);
     if (!pass)
         return tl::unexpected(pass.error());
-    if (!options.as_json) {
+    if (options.as_json)
+        fmt::print("{}\n", pass_json(**pass));
+    else
         fmt::print("{}", pass_page(**pass));
-        return {};
-    }
-    nlohmann::ordered_json json = {{"passgraph", 1}};
-    json.update(pass_json(**pass));
-    fmt::print("{}\n", json_text(json));
     return {};
 }
 
 } // namespace
 
-void add_describe(CLI::App& app, Action& chosen)
+void add_describe(CommandLine& line)
 {
     const auto options = std::make_shared<DescribeOptions>();
-    CLI::App& command = *app.add_subcommand("describe", "Tells everything about one pass");
-    command.add_option("PASS", options->pass, "A pass by name, or its .glsl file")->required();
+    Command command = line.add_command("describe", "Tells everything about one pass");
+    command.add_option("PASS", options->pass, "A pass by name, or its .glsl file").required();
     command.add_flag("--json", options->as_json, "As JSON");
     add_to(command, options->library);
-    command.callback([options, &chosen] { chosen = [options] { return describe(*options); }; });
+    command.action([options] { return describe(*options); });
 }
 
 } // namespace passgraph::tool

@@ -100,18 +100,18 @@ Result<void> eval(const EvalOptions& options)
 
 } // namespace
 
-void add_eval(CLI::App& app, Action& chosen)
+void add_eval(CommandLine& line)
 {
     const auto options = std::make_shared<EvalOptions>();
-    CLI::App& command = *app.add_subcommand("eval", "Evaluates a GLSL expression once per row of a CSV table, in binary32");
-    command.add_option("EXPR", options->expression, "The expression; the table's columns are float variables in it")->required();
+    Command command = line.add_command("eval", "Evaluates a GLSL expression once per row of a CSV table, in binary32");
+    command.add_option("EXPR", options->expression, "The expression; the table's columns are float variables in it").required();
     command.add_option("--include", options->includes, "A file whose functions the expression may call: a common file or a pass")
-        ->allow_extra_args(false)
-        ->type_name("FILE.glsl");
-    command.add_option("--csv", options->csv, "The table")->required()->type_name("IN.csv");
-    command.add_option("--out", options->out, "The table with the value behind; else, or as -, stdout")->type_name("OUT.csv");
+        .one_word_each()
+        .type_name("FILE.glsl");
+    command.add_option("--csv", options->csv, "The table").required().type_name("IN.csv");
+    command.add_option("--out", options->out, "The table with the value behind; else, or as -, stdout").type_name("OUT.csv");
     add_to(command, options->device);
-    command.callback([options, &chosen] { chosen = [options] { return eval(*options); }; });
+    command.action([options] { return eval(*options); });
 }
 
 } // namespace passgraph::tool

@@ -121,53 +121,53 @@ void CompilerOptions::apply_to(CompileOptions& options) const
     }
 }
 
-CLI::Option* add_pairs(CLI::App& command, const std::string& flag, std::vector<std::string>& words, const std::string& help)
+Option add_pairs(Command& command, const std::string& flag, std::vector<std::string>& words, const std::string& help)
 {
-    return command.add_option(flag, words, help)->allow_extra_args(false)->check(CLI::Validator(refuse_no_pair, "NAME=VALUE"));
+    return command.add_option(flag, words, help).one_word_each().check(refuse_no_pair, "NAME=VALUE");
 }
 
-CLI::Option* add_extent(CLI::App& command, const std::string& flag, std::string& word, const std::string& help)
+Option add_extent(Command& command, const std::string& flag, std::string& word, const std::string& help)
 {
-    return command.add_option(flag, word, help)->check(CLI::Validator(refuse_no_extent, "WxH"));
+    return command.add_option(flag, word, help).check(refuse_no_extent, "WxH");
 }
 
-CLI::Option* add_steps(CLI::App& command, const std::string& flag, std::string& words, const std::string& help)
+Option add_steps(Command& command, const std::string& flag, std::string& words, const std::string& help)
 {
-    return command.add_option(flag, words, help)->check(CLI::Validator(refuse_unknown_steps, "LIST"));
+    return command.add_option(flag, words, help).check(refuse_unknown_steps, "LIST");
 }
 
-void add_to(CLI::App& command, LibraryOptions& options)
+void add_to(Command& command, LibraryOptions& options)
 {
     command.add_option("--passes", options.folders, "A folder of passes of your own; they may replace built-in ones")
-        ->allow_extra_args(false)
-        ->type_name("DIR");
+        .one_word_each()
+        .type_name("DIR");
 }
 
-void add_to(CLI::App& command, GraphOptions& options)
+void add_to(Command& command, GraphOptions& options)
 {
-    command.add_option("GRAPH", options.file, "The graph file")->required();
-    add_pairs(command, "--set", options.settings, "Sets PASS.NAME, or a param of the graph, to a value or item")->type_name("PASS.NAME=V");
-    command.add_option("--preset", options.preset, "A file of such values, applied before --set")->type_name("FILE");
+    command.add_option("GRAPH", options.file, "The graph file").required();
+    add_pairs(command, "--set", options.settings, "Sets PASS.NAME, or a param of the graph, to a value or item").type_name("PASS.NAME=V");
+    command.add_option("--preset", options.preset, "A file of such values, applied before --set").type_name("FILE");
 }
 
-void add_to(CLI::App& command, SourceOptions& options)
+void add_to(Command& command, SourceOptions& options)
 {
-    command.add_option("--scene", options.scene, "The scene file")->type_name("FILE");
+    command.add_option("--scene", options.scene, "The scene file").type_name("FILE");
     add_pairs(command, "--in", options.pictures, "A picture for an input; for a cube map a folder with px nx py ny pz nz")
-        ->type_name("NAME=FILE");
+        .type_name("NAME=FILE");
     add_extent(command, "--size", options.size, "The extent; else the first picture's, else 1280x720");
 }
 
-void add_to(CLI::App& command, CompilerOptions& options)
+void add_to(Command& command, CompilerOptions& options)
 {
     add_steps(command, "--off", options.off,
               "Compiler steps to leave out: specialise, skip, fuse, cull, alias, guards (unify and order change nothing in this version)");
 }
 
-void add_to(CLI::App& command, DeviceOptions& options)
+void add_to(Command& command, DeviceOptions& options)
 {
     command.add_option("--context", options.context, "osmesa, egl or glfw; else OSMesa, or EGL where that is missing")
-        ->check(CLI::IsMember({"osmesa", "egl", "glfw"}));
+        .one_of({"osmesa", "egl", "glfw"});
 }
 
 } // namespace passgraph::tool

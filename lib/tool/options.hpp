@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <passgraph/core/compile.hpp>
 #include <passgraph/core/error.hpp>
 #include <passgraph/core/graph.hpp>
+
+#include "tool/command_line.hpp"
 
 namespace passgraph::tool {
 
@@ -58,17 +58,17 @@ struct DeviceOptions {
     std::string context;
 };
 
-void add_to(CLI::App& command, LibraryOptions& options);
-void add_to(CLI::App& command, GraphOptions& options);
-void add_to(CLI::App& command, SourceOptions& options);
-void add_to(CLI::App& command, CompilerOptions& options);
-void add_to(CLI::App& command, DeviceOptions& options);
+void add_to(Command& command, LibraryOptions& options);
+void add_to(Command& command, GraphOptions& options);
+void add_to(Command& command, SourceOptions& options);
+void add_to(Command& command, CompilerOptions& options);
+void add_to(Command& command, DeviceOptions& options);
 
 /// An option that may be given several times, each time with one `NAME=TEXT`.
-CLI::Option* add_pairs(CLI::App& command, const std::string& flag, std::vector<std::string>& words, const std::string& help);
+Option add_pairs(Command& command, const std::string& flag, std::vector<std::string>& words, const std::string& help);
 /// An option that takes WIDTHxHEIGHT.
-CLI::Option* add_extent(CLI::App& command, const std::string& flag, std::string& word, const std::string& help);
+Option add_extent(Command& command, const std::string& flag, std::string& word, const std::string& help);
 /// A list of compiler steps with commas between.
-CLI::Option* add_steps(CLI::App& command, const std::string& flag, std::string& words, const std::string& help);
+Option add_steps(Command& command, const std::string& flag, std::string& words, const std::string& help);
 
 } // namespace passgraph::tool

@@ -1,7 +1,10 @@
-// A pass's declaration as a JSON object.
+// A pass's declaration as a JSON object, and objects' texts.
 #include <cmath>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
+#include "tool/json_text.hpp"
 #include "tool/pass_pages.hpp"
 
 namespace passgraph::tool {
@@ -121,9 +124,7 @@ Object contract_json(const Contract& contract)
     return json;
 }
 
-} // namespace
-
-nlohmann::ordered_json pass_json(const PassDeclaration& pass)
+Object object_of(const PassDeclaration& pass)
 {
     Object json = {{"name", pass.name},
                    {"family", pass.family},
@@ -159,6 +160,23 @@ nlohmann::ordered_json pass_json(const PassDeclaration& pass)
     json["skip"] = pass.skip_when.empty() ? Object(nullptr) : Object{{"when", pass.skip_when}, {"value", 0}};
     json["contract"] = contract_json(pass.contract);
     return json;
+}
+
+} // namespace
+
+std::string pass_json(const PassDeclaration& pass)
+{
+    Object json = {{"passgraph", 1}};
+    json.update(object_of(pass));
+    return json_text(json);
+}
+
+std::string passes_json(const PassLibrary& library)
+{
+    Object json = {{"passgraph", 1}, {"passes", Object::array()}};
+    for (const auto& [name, pass] : library.passes())
+        json["passes"].push_back(object_of(*pass));
+    return json_text(json);
 }
 
 std::string json_text(const nlohmann::ordered_json& json)

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include <passgraph/core/declaration.hpp>
+#include <passgraph/core/pass_library.hpp>
 
 namespace passgraph::tool {
 
@@ -13,10 +12,9 @@ namespace passgraph::tool {
 std::string pass_page(const PassDeclaration& pass);
 /// Summary, ports and settings in three or four lines.
 std::string pass_entry(const PassDeclaration& pass);
-/// The same as an object; its schema is pass.schema.json.
-nlohmann::ordered_json pass_json(const PassDeclaration& pass);
-
-/// The object's text. What is not UTF-8 in a user's file is replaced, as JSON has no other encoding.
-std::string json_text(const nlohmann::ordered_json& json);
+/// The same as a JSON object; its schema is describe.schema.json.
+std::string pass_json(const PassDeclaration& pass);
+/// All passes of the library; the schema is passes.schema.json.
+std::string passes_json(const PassLibrary& library);
 
 } // namespace passgraph::tool

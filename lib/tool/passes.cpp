@@ -21,10 +21,7 @@ Result<void> list_passes(const PassesOptions& options)
     if (!library)
         return tl::unexpected(library.error());
     if (options.as_json) {
-        nlohmann::ordered_json json = {{"passgraph", 1}, {"passes", nlohmann::ordered_json::array()}};
-        for (const auto& [name, pass] : library->passes())
-            json["passes"].push_back(pass_json(*pass));
-        fmt::print("{}\n", json_text(json));
+        fmt::print("{}\n", passes_json(*library));
         return {};
     }
     std::map<std::string, std::string> families;
@@ -37,13 +34,13 @@ Result<void> list_passes(const PassesOptions& options)
 
 } // namespace
 
-void add_passes(CLI::App& app, Action& chosen)
+void add_passes(CommandLine& line)
 {
     const auto options = std::make_shared<PassesOptions>();
-    CLI::App& command = *app.add_subcommand("passes", "Lists every pass with its ports, parameters, choices and ladders");
+    Command command = line.add_command("passes", "Lists every pass with its ports, parameters, choices and ladders");
     command.add_flag("--json", options->as_json, "As JSON");
     add_to(command, options->library);
-    command.callback([options, &chosen] { chosen = [options] { return list_passes(*options); }; });
+    command.action([options] { return list_passes(*options); });
 }
 
 } // namespace passgraph::tool

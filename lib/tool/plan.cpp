@@ -51,17 +51,17 @@ Result<void> plan(const PlanOptions& options)
 
 } // namespace
 
-void add_plan(CLI::App& app, Action& chosen)
+void add_plan(CommandLine& line)
 {
     const auto options = std::make_shared<PlanOptions>();
-    CLI::App& command = *app.add_subcommand("plan", "Shows a graph's compiled plan; makes no context");
+    Command command = line.add_command("plan", "Shows a graph's compiled plan; makes no context");
     add_to(command, options->graph);
     add_to(command, options->sources);
-    command.add_option("--format", options->format, "text, json, or dot for Graphviz")->check(CLI::IsMember({"text", "json", "dot"}));
+    command.add_option("--format", options->format, "text, json, or dot for Graphviz").one_of({"text", "json", "dot"});
     command.add_flag("--glsl", options->with_glsl, "The generated GLSL, too");
     add_to(command, options->library);
     add_to(command, options->compiler);
-    command.callback([options, &chosen] { chosen = [options] { return plan(*options); }; });
+    command.action([options] { return plan(*options); });
 }
 
 } // namespace passgraph::tool

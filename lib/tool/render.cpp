@@ -43,23 +43,23 @@ Result<void> render(const RenderOptions& options)
 
 } // namespace
 
-void add_render(CLI::App& app, Action& chosen)
+void add_render(CommandLine& line)
 {
     const auto options = std::make_shared<RenderOptions>();
-    CLI::App& command = *app.add_subcommand("render", "Draws a graph into files");
+    Command command = line.add_command("render", "Draws a graph into files");
     add_to(command, options->graph);
     add_to(command, options->sources);
     command.add_option("--frames", options->frames, "Runs N frames, 1/60 s apart, and writes the last")
-        ->check(CLI::PositiveNumber)
-        ->type_name("N");
+        .positive()
+        .type_name("N");
     add_pairs(command, "--out", options->outputs,
               "Writes an output, or any PASS.PORT; %04d in the file's name writes every frame")
-        ->required()
-        ->type_name("NAME=FILE");
+        .required()
+        .type_name("NAME=FILE");
     add_to(command, options->library);
     add_to(command, options->compiler);
     add_to(command, options->device);
-    command.callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+    command.action([options] { return render(*options); });
 }
 
 } // namespace passgraph::tool

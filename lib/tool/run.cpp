@@ -131,20 +131,20 @@ Result<void> run(const RunOptions& options)
 
 } // namespace
 
-void add_run(CLI::App& app, Action& chosen)
+void add_run(CommandLine& line)
 {
     const auto options = std::make_shared<RunOptions>();
-    CLI::App& command = *app.add_subcommand("run", "Draws one pass alone");
-    command.add_option("PASS", options->pass, "A pass by name, or its .glsl file")->required();
+    Command command = line.add_command("run", "Draws one pass alone");
+    command.add_option("PASS", options->pass, "A pass by name, or its .glsl file").required();
     add_to(command, options->sources);
-    add_pairs(command, "--param", options->params, "Sets a parameter, choice or rung")->type_name("N=V");
-    add_pairs(command, "--out", options->outputs, "Writes an output of the pass")->required()->type_name("PORT=FILE");
+    add_pairs(command, "--param", options->params, "Sets a parameter, choice or rung").type_name("N=V");
+    add_pairs(command, "--out", options->outputs, "Writes an output of the pass").required().type_name("PORT=FILE");
     add_to(command, options->library);
     add_to(command, options->compiler);
     add_to(command, options->device);
     command.footer("Inputs of signal `color` take a .png or .jpg as display when a .png or .jpg is written, else as radiance;\n"
                    "its alpha is left out.");
-    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+    command.action([options] { return run(*options); });
 }
 
 } // namespace passgraph::tool

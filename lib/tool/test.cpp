@@ -10,8 +10,8 @@
 #include "tool/commands.hpp"
 #include "tool/contract/suite.hpp"
 #include "tool/device.hpp"
+#include "tool/json_text.hpp"
 #include "tool/library.hpp"
-#include "tool/pass_pages.hpp"
 #include "tool/progress.hpp"
 
 namespace passgraph::tool {
@@ -129,15 +129,15 @@ Result<void> test(const TestOptions& options)
 
 } // namespace
 
-void add_test(CLI::App& app, Action& chosen)
+void add_test(CommandLine& line)
 {
     const auto options = std::make_shared<TestOptions>();
-    CLI::App& command = *app.add_subcommand("test", "Holds passes to their contracts");
+    Command command = line.add_command("test", "Holds passes to their contracts");
     command.add_option("PASS", options->passes, "Passes by name, or their .glsl files; else those of --passes, else all built-in ones");
     command.add_flag("--json", options->as_json, "As JSON");
     add_to(command, options->library);
     add_to(command, options->device);
-    command.callback([options, &chosen] { chosen = [options] { return test(*options); }; });
+    command.action([options] { return test(*options); });
 }
 
 } // namespace passgraph::tool

@@ -52,7 +52,7 @@ std::vector<std::string> with_expressions_apart(std::vector<std::string> words)
     for (size_t i = 1; i < words.size(); ++i) {
         const bool is_value = words[i - 1].starts_with("--");
         if (!is_value && words[i].size() > 1 && words[i][0] == '-' && words[i][1] != '-' && words[i] != "-h")
-            words[i].insert(0, " ");
+            words[i].insert(0, 1, ' ');
     }
     return words;
 }
@@ -90,31 +90,27 @@ int run_parsed(const Action& chosen)
 
 int run_tool(int argc, const char* const* argv)
 {
-    CLI::App app("Rendering passes and a compiler for graphs of them.", "passgraph");
-    app.require_subcommand(1);
-    app.set_version_flag("--version", "passgraph " PASSGRAPH_VERSION);
-    Action chosen;
-    add_passes(app, chosen);
-    add_describe(app, chosen);
-    add_check(app, chosen);
-    add_plan(app, chosen);
-    add_run(app, chosen);
-    add_render(app, chosen);
-    add_bench(app, chosen);
-    add_eval(app, chosen);
-    add_view(app, chosen);
-    add_accuracy(app, chosen);
-    add_test(app, chosen);
+    CommandLine line("passgraph", "Rendering passes and a compiler for graphs of them.", "passgraph " PASSGRAPH_VERSION);
+    add_passes(line);
+    add_describe(line);
+    add_check(line);
+    add_plan(line);
+    add_run(line);
+    add_render(line);
+    add_bench(line);
+    add_eval(line);
+    add_view(line);
+    add_accuracy(line);
+    add_test(line);
+    add_facts(line);
+    add_prove(line);
 
     std::vector<std::string> words(argv + 1, argv + argc);
     words = !words.empty() && words.front() == "eval" ? with_expressions_apart(std::move(words)) : with_a_flag_each(words);
-    std::reverse(words.begin(), words.end()); // CLI11 takes them from the back
-    try {
-        app.parse(std::move(words));
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kUnparsed; // help and version are no mistakes
-    }
-    return run_parsed(chosen);
+    const CommandLine::Parsed parsed = line.parse(std::move(words));
+    if (!parsed.is_right)
+        return kUnparsed;
+    return parsed.action ? run_parsed(parsed.action) : kDone;
 }
 
 } // namespace passgraph::tool

@@ -41,7 +41,7 @@ Result<void> show(view::ViewOptions options, const LibraryOptions& library)
     // The passes' own folder, where it is still there: an edit of it is seen at once. Else those of the build.
     std::error_code failed;
     if (std::filesystem::is_directory(PASSGRAPH_PASSES_FOLDER, failed))
-        options.pass_folders.push_back(PASSGRAPH_PASSES_FOLDER);
+        options.pass_folders.emplace_back(PASSGRAPH_PASSES_FOLDER);
     options.pass_folders.insert(options.pass_folders.end(), library.folders.begin(), library.folders.end());
     Result<view::Opening> opening = view::open_files(options);
     if (!opening)
@@ -70,26 +70,26 @@ Result<void> show(view::ViewOptions options, const LibraryOptions& library)
 
 } // namespace
 
-void add_view(CLI::App& app, Action& chosen)
+void add_view(CommandLine& line)
 {
     const auto options = std::make_shared<view::ViewOptions>();
     const auto library = std::make_shared<LibraryOptions>();
     const auto compiler = std::make_shared<CompilerOptions>();
-    CLI::App& command = *app.add_subcommand("view", "Shows graphs of a scene in a window; files may be edited meanwhile");
-    command.add_option("GRAPH", options->graphs, "The graph files; keys Z X C pick them in order")->required();
-    command.add_option("--scene", options->scene, "The scene file")->type_name("FILE");
-    command.add_option("--preset", options->preset, "A file of values for the graphs' settings")->type_name("FILE");
+    Command command = line.add_command("view", "Shows graphs of a scene in a window; files may be edited meanwhile");
+    command.add_option("GRAPH", options->graphs, "The graph files; keys Z X C pick them in order").required();
+    command.add_option("--scene", options->scene, "The scene file").type_name("FILE");
+    command.add_option("--preset", options->preset, "A file of values for the graphs' settings").type_name("FILE");
     add_extent(command, "--size", options->size, "The window's extent; else 1280x720");
     command.add_option("--render-scale", options->render_scale, "Draws at this share of the window's extent, for slow machines")
-        ->check(CLI::Range(0.05, 4.0))
-        ->type_name("X");
-    command.add_option("--pictures", options->pictures, "The folder that the key P saves pictures to; else this one")->type_name("DIR");
+        .between(0.05, 4.0)
+        .type_name("X");
+    command.add_option("--pictures", options->pictures, "The folder that the key P saves pictures to; else this one").type_name("DIR");
     command.add_flag("--no-panel", options->hides_panel, "Starts without the panel; Tab shows it");
     add_to(command, *library);
     add_to(command, *compiler);
-    command.callback([options, library, compiler, &chosen] {
+    command.action([options, library, compiler] {
         compiler->apply_to(options->compiler);
-        chosen = [options, library] { return show(*options, *library); };
+        return show(*options, *library);
     });
 }
 

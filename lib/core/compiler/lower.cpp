@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/compiler/ir.hpp"
 #include "core/glsl/assemble.hpp"

@@ -140,8 +140,13 @@ private:
             return false; // an input that nobody wired: its default is a constant of this pass
         if (!(is_constant ? black->second == own.extent : same_image(node().inputs[port]->from, own)))
             return false;
-        if (!node().codecs.front().empty())
-            return false; // somebody wants it rounded so
+        // Somebody wants it rounded otherwise; what the host supplied is rounded nowhere.
+        const auto codec = [&](ImageRef of) { return graph_.node(of.node).codecs[static_cast<size_t>(of.output)]; };
+        const bool is_stored_alike = is_constant || !graph_.is_pass(node().inputs[port]->from.node)
+                                         ? node().codecs.front().empty()
+                                         : codec(node().inputs[port]->from) == node().codecs.front();
+        if (!is_stored_alike)
+            return false;
         result_.decisions.push_back({node().name, fmt::format("it is its `{}`: {}", identity.is, reason)});
         bound_of(0) = is_constant ? 0.0 : bound_of(node().inputs[port]->from);
         if (!is_constant)

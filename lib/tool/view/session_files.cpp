@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "tool/view/scene_files.hpp"
 #include "tool/view/session.hpp"

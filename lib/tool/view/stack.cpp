@@ -32,7 +32,8 @@ bool same_steps(const Plan::Step& a, const Plan::Step& b)
     };
     return a.kind == b.kind && a.extent == b.extent && a.depth_slot == b.depth_slot &&
            a.tested_depth_slot == b.tested_depth_slot && a.vertex == b.vertex && a.fragment == b.fragment &&
-           a.background == b.background &&
+           a.background == b.background && a.counts == b.counts && a.skipped_by == b.skipped_by &&
+           a.when_skipped == b.when_skipped &&
            std::equal(a.reads.begin(), a.reads.end(), b.reads.begin(), b.reads.end(), same_read) &&
            std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), same_target) &&
            std::equal(a.uniforms.begin(), a.uniforms.end(), b.uniforms.begin(), b.uniforms.end(), same_uniform);

@@ -54,7 +54,7 @@ public:
 
     Drawing draw()
     {
-        drawing_.shapes.push_back(BoxShape{0.0, 0.0, kWidth, kHeight, kPaper});
+        drawing_.shapes.emplace_back(BoxShape{0.0, 0.0, kWidth, kHeight, kPaper});
         draw_axes();
         draw_front();
         for (const MeasuredRung& rung : ladder_.rungs)
@@ -88,10 +88,10 @@ private:
         error_ = {low, std::max(high, low + 1.0), has_zero_ ? kBottom - 44.0 : kBottom, kTop};
     }
 
-    void line(double x0, double y0, double x1, double y1, Ink ink, double width) { drawing_.shapes.push_back(LineShape{x0, y0, x1, y1, ink, width}); }
+    void line(double x0, double y0, double x1, double y1, Ink ink, double width) { drawing_.shapes.emplace_back(LineShape{x0, y0, x1, y1, ink, width}); }
     void text(double x, double y, const std::string& what, Ink ink, double size, TextShape::Anchor anchor, bool is_bold = false)
     {
-        drawing_.shapes.push_back(TextShape{x, y, what, ink, size, anchor, is_bold});
+        drawing_.shapes.emplace_back(TextShape{x, y, what, ink, size, anchor, is_bold});
     }
 
     /// Round times: 1, 2 and 5 of each decade; over less than a decade evenly apart, about six.
@@ -179,8 +179,8 @@ private:
         line(low, y - 4.0, low, y + 4.0, ink, 1.4);
         line(high, y - 4.0, high, y + 4.0, ink, 1.4);
         if (rung.rung.is_default)
-            drawing_.shapes.push_back(DiscShape{x, y, 8.5, kPaper, ink, 1.6});
-        drawing_.shapes.push_back(DiscShape{x, y, 4.5, ink, kPaper, 1.0});
+            drawing_.shapes.emplace_back(DiscShape{x, y, 8.5, kPaper, ink, 1.6});
+        drawing_.shapes.emplace_back(DiscShape{x, y, 4.5, ink, kPaper, 1.0});
         taken_.push_back({std::min(low, x - 9.0), y - 7.0, std::max(high, x + 9.0), y + 7.0});
     }
 

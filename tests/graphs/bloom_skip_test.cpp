@@ -1,0 +1,200 @@
+// Bloom where nothing is bright: the device leaves its chain out, and no bit changes.
+#include <cmath>
+#include <random>
+
+#include "graphs/graph_runner.hpp"
+#include "support/catch.hpp"
+#include "support/test_context.hpp"
+
+using namespace passgraph;
+using namespace passgraph::test;
+
+namespace {
+
+/// As the photo stack, with every image an output, or the last one alone.
+Graph stack(bool shows_all, const std::string& threshold = "0.8", const std::string& knee = "0.5")
+{
+    return graph_of(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
+        "graded": { "pass": "bloom_combine", "inputs": { "scene": "photo", "bloom": "photo" } },
+        "bright": { "pass": "bright", "inputs": { "image": "graded" }, "params": { "threshold": )" + threshold + R"(, "knee": )" + knee + R"( },
+                    "codecs": { "color": "rgba32f" } },
+        "half":   { "pass": "downsample", "inputs": { "image": "bright" } },
+        "glow":   { "pass": "gaussian_blur", "inputs": { "image": "half" } },
+        "film":   { "pass": "bloom_combine", "inputs": { "scene": "graded", "bloom": "glow" } },
+        "shown":  { "pass": "tone_map", "inputs": { "image": "film" } } },
+      "outputs": { )" + std::string(shows_all ? R"("bright": "bright", "half": "half", "glow": "glow", "film": "film", )" : "") +
+                    R"("color": "shown" } })");
+}
+
+Picture flat(Extent extent, float value)
+{
+    Picture picture;
+    picture.extent = extent;
+    picture.channels = 3;
+    picture.texels.assign(static_cast<size_t>(extent.width) * static_cast<size_t>(extent.height) * 3, value);
+    return picture;
+}
+
+Renderer renderer_of(const Graph& graph, Extent extent, Skipping skipping)
+{
+    const CompileOptions options{.extent = extent, .picture_extents = {{"photo", extent}}, .skipping = skipping};
+    auto plan = compile(graph, options);
+    REQUIRE(plan);
+    auto renderer = Renderer::create(std::move(*plan), {.loader = test_context().loader(), .is_timed = true});
+    REQUIRE(renderer);
+    return std::move(*renderer);
+}
+
+int left_out(Renderer& renderer)
+{
+    int count = 0;
+    for (const StepTime& time : renderer.step_times())
+        count += time.was_skipped;
+    return count;
+}
+
+/// Draws the picture with and without skipping, compares every output's bits, and returns how many steps the device left out.
+int compare(const Graph& graph, const Picture& photo)
+{
+    Renderer lazy = renderer_of(graph, photo.extent, Skipping::as_needed);
+    Renderer eager = renderer_of(graph, photo.extent, Skipping::never);
+    for (Renderer* renderer : {&lazy, &eager}) {
+        REQUIRE(renderer->import_picture("photo", photo));
+        REQUIRE(renderer->render());
+    }
+    for (const Plan::Output& output : eager.plan().outputs) {
+        INFO(output.name);
+        const auto a = lazy.read(output.name);
+        const auto b = eager.read(output.name);
+        REQUIRE(a);
+        REQUIRE(b);
+        CHECK(a->texels == b->texels);
+    }
+    CHECK(left_out(eager) == 0);
+    return left_out(lazy);
+}
+
+/// A gray of a radiance that, doubled by `graded`, has the luminance that `bright` sees.
+float half_of(float luminance) { return 0.5f * luminance; }
+
+} // namespace
+
+TEST_CASE("where nothing is bright bloom's chain is left out, where one pixel is it is drawn; no bit changes", "[graphs][skipping][bloom]")
+{
+    for (const bool shows_all : {false, true})
+        for (const Extent extent : {Extent{160, 90}, Extent{17, 13}, Extent{9, 1}, Extent{1, 1}}) {
+            CAPTURE(shows_all, extent.width, extent.height);
+            const Graph graph = stack(shows_all);
+            // Half, two blurs, film without them; of one texel, all but the first blur are one draw.
+            CHECK(compare(graph, flat(extent, 0.1f)) >= (extent == Extent{1, 1} ? 2 : 4));
+            for (const auto& [x, y] : {std::pair{0, 0}, {extent.width - 1, extent.height - 1}, {extent.width / 2, extent.height / 3}}) {
+                Picture photo = flat(extent, 0.1f);
+                for (int c = 0; c < 3; ++c)
+                    photo.at(x, y, c) = 4.0f;
+                CHECK(compare(graph, photo) == 0);
+            }
+        }
+}
+
+// The predicate is threshold - knee, to the last bit: between two neighbouring numbers black ends, and skipping with it.
+TEST_CASE("a pixel at threshold minus knee is black, one ulp above it is not", "[graphs][skipping][bloom]")
+{
+    const Extent extent{8, 8};
+    for (const auto& [threshold, knee] : {std::pair{"1", "0.5"}, {"0.8", "0.25"}, {"2", "0"}, {"0.5", "0.9"}}) {
+        const Graph graph = stack(true, threshold, knee);
+        Renderer eager = renderer_of(graph, extent, Skipping::never);
+        const auto is_black = [&](float luminance) {
+            REQUIRE(eager.import_picture("photo", flat(extent, half_of(luminance))));
+            REQUIRE(eager.render());
+            const auto bright = eager.read("bright"); // in binary32: not even the smallest light is rounded away
+            REQUIRE(bright);
+            return std::all_of(bright->texels.begin(), bright->texels.end(), [](float x) { return x == 0.0f; });
+        };
+        // A gray's luminance is the gray within the two roundings of its sum: black ends within eight numbers of the border.
+        float luminance = std::stof(threshold) * (1.0f - std::stof(knee));
+        for (int i = 0; i < 8; ++i)
+            luminance = std::nextafter(luminance, 0.0f);
+        std::vector<bool> were_black;
+        for (int i = 0; i < 16; ++i, luminance = std::nextafter(luminance, 9.0f)) {
+            CAPTURE(threshold, knee, luminance, i);
+            were_black.push_back(is_black(luminance));
+            CHECK((compare(graph, flat(extent, half_of(luminance))) > 0) == were_black.back());
+            CHECK((i == 0 || were_black.back() <= were_black[were_black.size() - 2]));
+        }
+        CAPTURE(threshold, knee);
+        CHECK(were_black.front());
+        CHECK_FALSE(were_black.back());
+    }
+}
+
+// Just above threshold - knee and far below the threshold: a predicate that forgot the knee would call it black.
+TEST_CASE("inside the knee bloom glows: the predicate is not the threshold", "[graphs][skipping][bloom]")
+{
+    const Graph graph = stack(true, "1", "0.5");
+    Renderer lazy = renderer_of(graph, {8, 8}, Skipping::as_needed);
+    REQUIRE(lazy.import_picture("photo", flat({8, 8}, half_of(0.75f))));
+    REQUIRE(lazy.render());
+    CHECK(left_out(lazy) == 0);
+    // rise = 0.25 of a reach of 0.5: 0.25^2 / (4 * 0.5) of light; three stores of 11 bits.
+    CHECK(lazy.read("glow")->at(2, 2, 0) == Approx(0.03125 * 1.0).epsilon(4.0 / 2048.0));
+    CHECK(compare(graph, flat({8, 8}, half_of(0.75f))) == 0);
+}
+
+TEST_CASE("a frame that gets dark, and bright again, is decided anew; a change behind the chain is not", "[graphs][skipping][bloom]")
+{
+    const Extent extent{32, 18};
+    const Graph graph = stack(false);
+    Renderer lazy = renderer_of(graph, extent, Skipping::as_needed);
+    Renderer eager = renderer_of(graph, extent, Skipping::never);
+    std::mt19937 random(11);
+    for (int round = 0; round < 40; ++round) {
+        if (round == 0 || random() % 3 != 0) {
+            Picture photo = flat(extent, 0.1f);
+            if (random() % 2 == 0)
+                photo.at(static_cast<int>(random() % 32), static_cast<int>(random() % 18), 1) = 5.0f;
+            for (Renderer* renderer : {&lazy, &eager})
+                REQUIRE(renderer->import_picture("photo", photo));
+        }
+        const Value exposure(0.5 + 0.001 * static_cast<double>(random() % 1000));
+        const Value threshold(0.2 + 0.001 * static_cast<double>(random() % 1000));
+        for (Renderer* renderer : {&lazy, &eager}) {
+            if (round > 0)
+                REQUIRE(renderer->set("shown.exposure", exposure));
+            if (round % 4 == 1)
+                REQUIRE(renderer->set("bright.threshold", threshold));
+            REQUIRE(renderer->render());
+        }
+        CAPTURE(round);
+        CHECK(lazy.read("color")->texels == eager.read("color")->texels);
+    }
+}
+
+TEST_CASE("a plan handed over with its images knows what was counted", "[graphs][skipping][bloom]")
+{
+    const Extent extent{32, 18};
+    for (const float light : {0.1f, 2.0f}) {
+        Renderer renderer = renderer_of(stack(false), extent, Skipping::as_needed);
+        REQUIRE(renderer.import_picture("photo", flat(extent, light)));
+        REQUIRE(renderer.render());
+        Graph other = stack(false);
+        REQUIRE(other.set("shown.curve", {"", {}, "table", {}}));
+        auto plan = compile(other, {.extent = extent, .picture_extents = {{"photo", extent}}});
+        REQUIRE(plan);
+        REQUIRE(renderer.replace(std::move(*plan)));
+        REQUIRE(renderer.render());
+        Renderer fresh = renderer_of(other, extent, Skipping::never);
+        REQUIRE(fresh.import_picture("photo", flat(extent, light)));
+        REQUIRE(fresh.render());
+        CHECK(renderer.read("color")->texels == fresh.read("color")->texels);
+    }
+}
+
+TEST_CASE("taken to be black, bloom is gone: its chain is no part of the plan", "[graphs][skipping][bloom]")
+{
+    const Renderer off = renderer_of(stack(false), {8, 8}, Skipping::always);
+    CHECK(off.plan().steps.size() == 1);
+    const Renderer on = renderer_of(stack(false), {8, 8}, Skipping::never);
+    CHECK(on.plan().steps.size() > 4);
+    for (const Plan::Step& step : on.plan().steps)
+        CHECK(step.skipped_by == -1);
+}
