@@ -107,17 +107,6 @@ Result<void> measure(std::vector<Timed>& plans, int frames)
     return {};
 }
 
-/// What the device made of a step that may be left out; "" when it drew all of it.
-std::string why_skipped(const Plan& plan, const StepTime& time, size_t step)
-{
-    const Plan::Step& row = plan.steps[step];
-    if (!time.was_skipped)
-        return "";
-    return fmt::format("  ({}: every pixel of {} is black)",
-                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
-                       plan.queries[static_cast<size_t>(row.skipped_by)].images);
-}
-
 void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
 {
     const Timed& first = plans.front();
