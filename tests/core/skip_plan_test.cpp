@@ -174,6 +174,44 @@ TEST_CASE("an image is black when all of its inputs are, not when one of them is
     CHECK(conditional(all) == std::vector<std::string>{"glow", "both", "smear"});
 }
 
+TEST_CASE("a picture whose alpha comes from another input is not black", "[core][skip]")
+{
+    PassLibrary library = library_of(Signal::color);
+    for (const bool lists_image : {false, true}) {
+        PassMaker veil("veil"); // its alpha is carried from `image`, the first of its colors
+        veil.input("image", kPointwise).input("glow", kGather).output("color");
+        veil.pass.black = {lists_image ? std::vector{0, 1} : std::vector{1}};
+        library.add(veil.done());
+        for (const bool has_alpha : {false, true}) {
+            CAPTURE(lists_image, has_alpha);
+            Chain chain(library);
+            const AnyImage photo = has_alpha ? AnyImage(chain.graph().picture<RadianceAlpha>("photo")) : chain.photo();
+            const AnyImage veiled = chain.add("veil", {{"image", photo}, {"glow", chain.add("key", photo)}});
+            const Plan plan = chain.plan(chain.add("smear", veiled));
+            CHECK(conditional(plan).empty() == (lists_image || has_alpha));
+        }
+    }
+}
+
+TEST_CASE("a draw in two parts by depth has no variant", "[core][skip]")
+{
+    // The sky over the surfaces is drawn in two parts; where it reads what may be black, it stays as it is.
+    const auto description = read_graph_description(R"({ "passgraph": 1, "inputs": { "scene": { "kind": "scene" }, "photo": "radiance" },
+        "passes": {
+            "surface": { "pass": "gbuffer", "inputs": { "scene": "scene" } },
+            "bright": { "pass": "bright", "inputs": { "image": "photo" } },
+            "half": { "pass": "downsample", "inputs": { "image": "bright" } },
+            "double": { "pass": "upsample", "inputs": { "image": "half" } },
+            "view": { "pass": "sky", "inputs": { "image": "double", "depth": "surface.depth", "sky": "scene.sky" } } },
+        "outputs": { "color": "view" } })", "parts.graph.json");
+    REQUIRE(description);
+    const Plan plan = planned(build_graph(*description, builtin_passes()), {.extent = {64, 64}, .picture_extents = {{"photo", {64, 64}}}});
+    CHECK_FALSE(conditional(plan).empty());
+    for (const Plan::Step& row : plan.steps)
+        CHECK((row.background.empty() || row.when_skipped.empty()));
+    CHECK(std::any_of(plan.steps.begin(), plan.steps.end(), [](const Plan::Step& row) { return !row.background.empty(); }));
+}
+
 TEST_CASE("a signal whose zero may have a sign, or that knows none, is always drawn", "[core][skip]")
 {
     for (const Signal signal : {Signal::position, Signal::normal, Signal::exposure}) {
@@ -208,6 +246,29 @@ TEST_CASE("a step has one condition, and its query is answered before", "[core][
         if (row.skipped_by >= 0)
             CHECK(plan.queries[static_cast<size_t>(row.skipped_by)].step < static_cast<int>(i));
     }
+}
+
+TEST_CASE("of two glows in one step a variant takes only the one for black that its own query counted", "[core][skip]")
+{
+    PassLibrary library = library_of();
+    library.add(PassMaker("sum").input("image", kGather, Signal::radiance).input("glow", kGather, Signal::radiance).output("color", Signal::radiance).done());
+    Chain chain(library);
+    const AnyImage photo = chain.photo();
+    const AnyImage first = chain.add("glow", chain.add("key", photo));
+    const AnyImage second = chain.add("smear", chain.add("key", chain.add("lift", photo)));
+    const Plan plan = chain.plan(chain.add("sum", {{"image", first}, {"glow", second}}));
+    CHECK(plan.queries.size() == 2);
+    CHECK(conditional(plan) == std::vector<std::string>{"glow", "smear"});
+    CHECK(step(plan, "glow").skipped_by != step(plan, "smear").skipped_by);
+    CHECK(step(plan, "sum").skipped_by == step(plan, "glow").skipped_by);
+    CHECK(step(plan, "sum").black_images == "glow");
+}
+
+TEST_CASE("nothing is counted where nothing depends on it", "[core][skip]")
+{
+    const PassLibrary library = library_of();
+    Chain chain(library);
+    CHECK(leaves_nothing_out(chain.plan(chain.add("key", chain.photo()))));
 }
 
 TEST_CASE("what is cleared is what black is stored as, alpha and all", "[core][skip]")
