@@ -84,6 +84,16 @@ std::string quoted(std::string_view text)
 
 } // namespace
 
+std::string why_skipped(const Plan& plan, std::size_t step, bool was_skipped)
+{
+    const Plan::Step& row = plan.steps[step];
+    if (!was_skipped)
+        return "";
+    return fmt::format("{}: every pixel of {} is black",
+                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
+                       images_of(plan, row.skipped_by));
+}
+
 std::string to_text(const Plan& plan)
 {
     std::string text = fmt::format("plan for {}x{}: {} steps, {} slots, {:.1f} MB ({:.1f} MB without sharing)\n",

@@ -120,6 +120,7 @@ struct Functions {
     PASSGRAPH_GL_MEMBER(PFNGLCLIPCONTROLPROC, ClipControl) ///< nullptr without ARB_clip_control
 #undef PASSGRAPH_GL_MEMBER
     bool has_debug = false;
+    bool has_conservative_queries = false; ///< 4.3 or ARB_ES3_compatibility
     bool has_inverted_conditions = false; ///< may draw only if a query counted nothing: 4.5 or ARB_conditional_render_inverted
 };
 

@@ -7,7 +7,9 @@ bool may_count(const Functions& gl, const Plan& plan)
 {
     if (plan.queries.empty())
         return false;
-    for (const GLenum target : {GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED}) {
+    for (const GLenum target : {GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED_CONSERVATIVE}) {
+        if (target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE && !gl.has_conservative_queries)
+            continue;
         GLint running = 0;
         gl.GetQueryiv(target, GL_CURRENT_QUERY, &running);
         if (running != 0)

@@ -107,25 +107,16 @@ Result<void> measure(std::vector<Timed>& plans, int frames)
     return {};
 }
 
-/// What the device made of a step that may be left out; "" when it drew all of it.
-std::string why_skipped(const Plan& plan, const StepTime& time, size_t step)
-{
-    const Plan::Step& row = plan.steps[step];
-    if (!time.was_skipped)
-        return "";
-    return fmt::format("  ({}: every pixel of {} is black)",
-                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
-                       plan.queries[static_cast<size_t>(row.skipped_by)].images);
-}
-
 void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
 {
     const Timed& first = plans.front();
     const Plan& plan = first.renderer.plan();
     fmt::print("{}\n{}x{}, {} frames, {:.1f} MB of images\n\n", first.renderer.device_name(), plan.extent.width, plan.extent.height,
                options.frames, static_cast<double>(plan.bytes) / (1024.0 * 1024.0));
-    for (size_t i = 0; i < first.step_ms.size(); ++i)
-        fmt::print("{:9.3f} ms  {}{}\n", median(first.step_ms[i]), plan.steps[i].name, why_skipped(plan, first.last[i], i));
+    for (size_t i = 0; i < first.step_ms.size(); ++i) {
+        const std::string why = why_skipped(plan, i, first.last[i].was_skipped);
+        fmt::print("{:9.3f} ms  {}{}\n", median(first.step_ms[i]), plan.steps[i].name, why.empty() ? "" : fmt::format("  ({})", why));
+    }
     fmt::print("{:9.3f} ms  the frame (lowest {:.3f})\n", first.median_ms(), first.lowest_ms());
     if (plans.size() > 1)
         fmt::print("{:9.3f} ms  the frame without {}: this plan takes {:.3f} of it\n", plans[1].median_ms(), options.compared,

@@ -138,6 +138,8 @@ struct Plan {
     std::int64_t bytes_unshared = 0;  ///< had every stored image its own texture
 };
 
+/// Why the device left a step out, or drew its variant; "" when it did neither.
+std::string why_skipped(const Plan& plan, std::size_t step, bool was_skipped);
 /// The plan for people: steps, memory, boundaries with reasons.
 std::string to_text(const Plan& plan);
 /// The plan as a JSON object (`"passgraph": 1`), schema in lib/core/plan.schema.json; `with_glsl` adds the sources.

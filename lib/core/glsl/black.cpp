@@ -21,7 +21,8 @@ GlslText skip_text(const PassDeclaration& pass)
     GlslText text;
     text.file = pass.file;
     text.first_line = pass.skip_where.line;
-    text.text = fmt::format("bool {}(vec2 uv) {{ return ({}\n); }}\n", kSkips, pass.skip_when);
+    // A comment in the condition ends with its line; what is missing at its end is missing there.
+    text.text = fmt::format("bool {}(vec2 uv) {{ return ({}\n#line {}\n); }}\n", kSkips, pass.skip_when, pass.skip_where.line);
     text.globals = pass.body.globals;
     text.globals.emplace_back(kSkips);
     text.includes = pass.body.includes;

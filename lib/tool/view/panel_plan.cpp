@@ -89,14 +89,19 @@ void draw_costs(const Stage& stage)
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(step.name.c_str());
+        const std::string why = why_skipped(plan, i, times[i].was_skipped);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s\n%d x %d", step.name.c_str(), step.extent.width, step.extent.height);
+            ImGui::SetTooltip("%s\n%d x %d%s%s", step.name.c_str(), step.extent.width, step.extent.height,
+                              why.empty() ? "" : "\n", why.c_str());
         ImGui::TableNextColumn();
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x * static_cast<float>(std::max(times[i].milliseconds, 0.0) / longest);
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
                                                   ImGui::GetColorU32(ImGuiCol_PlotHistogram, 0.35f), 2.0f);
-        ImGui::Text("%.1f", times[i].milliseconds);
+        if (why.empty())
+            ImGui::Text("%.1f", times[i].milliseconds);
+        else
+            ImGui::TextDisabled("%.1f, %s", times[i].milliseconds, step.when_skipped.empty() ? "left out" : "simpler");
         ImGui::TableNextColumn();
         ImGui::Text("%.1f", megabytes(plan, step));
     }
