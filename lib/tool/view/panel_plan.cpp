@@ -39,14 +39,10 @@ void draw_left_out(const Stage& stage)
     };
     for (size_t i = 0; i < stage.step_times().size() && i < plan.steps.size(); ++i) {
         const StepTime& time = stage.step_times()[i];
-        const Plan::Step& step = plan.steps[i];
         if (!time.was_skipped)
             continue;
         title();
-        const std::string& images = plan.queries[static_cast<size_t>(step.skipped_by)].images;
-        const std::string why = step.when_skipped.empty() ? fmt::format("every pixel of {} is black", images)
-                                                          : fmt::format("without {}, which is black", step.black_images);
-        line(step.name, why, std::max(stage.last_drawn_ms(step.name) - time.milliseconds, 0.0));
+        line(time.step, why_skipped(plan, i, true), std::max(stage.last_drawn_ms(time.step) - time.milliseconds, 0.0));
     }
     for (const Plan::Culled& culled : plan.culled) {
         title();
