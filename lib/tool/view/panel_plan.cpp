@@ -97,7 +97,7 @@ void draw_costs(const Stage& stage)
         if (why.empty())
             ImGui::Text("%.1f", times[i].milliseconds);
         else
-            ImGui::TextDisabled("%.1f, %s", times[i].milliseconds, step.when_skipped.empty() ? "left out" : "simpler");
+            ImGui::TextDisabled("%.1f", times[i].milliseconds);
         ImGui::TableNextColumn();
         ImGui::Text("%.1f", megabytes(plan, step));
     }
