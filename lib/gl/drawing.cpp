@@ -191,7 +191,9 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
         return draw_elements(inputs, objects.program);
     }
     const bool has_variant = objects.when_skipped.has_value();
-    if (step.counts >= 0 || (queries.skipped_by != 0 && !has_variant))
+    // Without inverted conditions there are no variants that know what is black: everybody may look.
+    const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
+    if (step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
         clear_to_black(inputs, step);
     std::int64_t draws = 0;
     if (queries.counts != 0)

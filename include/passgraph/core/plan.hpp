@@ -82,6 +82,7 @@ struct Plan {
         int skipped_by = -1; ///< nothing is drawn, and the targets are black, if this query counted no pixel
         /// Not "": if `skipped_by` counted no pixel this fragment stage is drawn instead; it takes what is black for 0.
         std::string when_skipped;
+        bool is_cleared = true; ///< left out by `skipped_by`, its images are 0, as somebody may look at them
         std::string black_images; ///< that it takes for 0, for people
         Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
         std::string vertex;  ///< complete GLSL 3.30 sources

@@ -124,6 +124,8 @@ struct Condition {
     /// Not empty: nothing is left out, but a simpler variant is drawn instead, for which these images are 0.
     std::set<ImageRef, ImageLess> black_inputs{};
 
+    bool is_cleared = false; ///< left out, its images are read all the same, by what does not know, or by the host
+
     bool is_free() const { return counts < 0 && skipped_by < 0; }
 };
 

@@ -172,6 +172,7 @@ private:
     {
         step_.counts = condition_.counts;
         step_.skipped_by = condition_.skipped_by;
+        step_.is_cleared = condition_.is_cleared;
         source_.discards_black = condition_.counts >= 0;
         source_.has_skipped_variant = !condition_.black_inputs.empty();
         std::vector<std::string> names;

@@ -86,10 +86,31 @@ public:
         for (int node = 0; node < graph_.node_count(); ++node)
             if (may_skip(graph_, node) && draws_.draw_of[static_cast<size_t>(node)] >= 0)
                 find_counting({node, 0});
+        for (size_t time = 0; time < order_.size(); ++time)
+            if (Condition& condition = condition_at(time); condition.skipped_by >= 0 && condition.black_inputs.empty())
+                condition.is_cleared = is_read_when_left_out(time);
         return std::move(result_);
     }
 
 private:
+    /// Whether anybody looks at a conditional draw's images though it was left out: the host, or a draw that neither is left out
+    /// with it nor takes them for 0.
+    bool is_read_when_left_out(size_t conditional)
+    {
+        const std::vector<ImageRef>& stored = draw_at(conditional).stored;
+        const auto is_stored = [&](ImageRef image) { return std::find(stored.begin(), stored.end(), image) != stored.end(); };
+        if (std::any_of(graph_.outputs.begin(), graph_.outputs.end(), [&](const GraphOutput& output) { return is_stored(output.from); }))
+            return true;
+        for (size_t time = conditional + 1; time < order_.size(); ++time) {
+            const Condition& reader = condition_at(time);
+            const bool knows = reader.skipped_by == condition_at(conditional).skipped_by;
+            for (const ExternalRead& read : external_reads(graph_, draw_at(time).nodes))
+                if (is_stored(read.image) && !(knows && (reader.black_inputs.empty() || reader.black_inputs.contains(read.image))))
+                    return true;
+        }
+        return false;
+    }
+
     const Draw& draw_at(size_t time) const { return draws_.draws[static_cast<size_t>(order_[time])]; }
     Condition& condition_at(size_t time) { return result_.of_draw[static_cast<size_t>(order_[time])]; }
 
