@@ -61,7 +61,7 @@ TEST_CASE("a broken pass leaves the last good one running and tells its line", "
     desk.picture_with([](const Picture& now) { return means(now)[1] > 2.0 * means(now)[2]; }, "a green picture");
     const Picture good = desk.picture_at_rest();
     desk.edit(kNight, "vec3 seen = image(uv);", "vec3 seen = image(uv) * tin;");
-    desk.wait_for_message("passes/screen/night_vision.glsl:14");
+    desk.wait_for_message("passes/screen/night_vision.glsl:15");
     desk.wait_for_message("error[glsl_error]");
     CHECK(desk.picture_at_rest().texels == good.texels);
     desk.key("z"); // it still listens
