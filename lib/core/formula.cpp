@@ -31,6 +31,7 @@ public:
 private:
     using Op = Formula::Op;
     static constexpr int kDeepest = 64;
+    static constexpr size_t kLongest = 1000; // a sum of many is as deep as it is long
 
     struct Operator {
         std::string_view sign;
@@ -70,6 +71,8 @@ private:
 
     int add(Formula::Node node)
     {
+        if (formula_.nodes_.size() >= kLongest)
+            report("the expression is too long");
         formula_.nodes_.push_back(std::move(node));
         return static_cast<int>(formula_.nodes_.size()) - 1;
     }
@@ -294,9 +297,9 @@ Formula::Number Formula::value_of(int index, const Lookup& lookup) const
     case Op::invert:
         return single(operand(0).v[0] != 0.0 ? 0.0 : 1.0);
     case Op::smaller:
-        return each([](double a, double b) { return std::min(a, b); });
+        return each([](double a, double b) { return std::isnan(b) || b < a ? b : a; }); // NaN of either stays
     case Op::larger:
-        return each([](double a, double b) { return std::max(a, b); });
+        return each([](double a, double b) { return std::isnan(b) || b > a ? b : a; });
     case Op::size_of:
         return each([](double a, double) { return std::abs(a); });
     }

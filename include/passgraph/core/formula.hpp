@@ -22,7 +22,9 @@ namespace passgraph {
 ///
 /// Units    a number has one to four components; one component meets several by meeting each. A comparison holds when
 ///          it holds in every component and is 1, else 0; `!=` is the opposite of `==`.
-/// Range    doubles: a condition is decided on the values that a float parameter has, without rounding of its own.
+/// Range    doubles: a condition is decided on the values that a float parameter has, without rounding of its own. What has no
+///          value (infinity less infinity) is NaN, and stays it in min and max.
+///          At most 1000 operators, numbers and names, 64 levels deep; a parenthesis is two.
 class Formula {
 public:
     struct Number {
