@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const Ports& ports)
 void declare_ports(PassDeclaration& pass, const GraphDescription& description, const Graph& inside)
 {
     for (const auto& input : description.inputs) {
-        InputPort port;
+        InputPort port{};
         port.name = input.name;
         port.signal = input.signal;
         port.where = input.where;

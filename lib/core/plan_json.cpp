@@ -2,14 +2,13 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "passgraph/core/json_value.hpp"
 #include "passgraph/core/plan.hpp"
 
 namespace passgraph {
 namespace {
 
-using Object = nlohmann::ordered_json;
+using Object = JsonValue;
 
 Object extent_json(Extent extent) { return Object::array({extent.width, extent.height}); }
 
@@ -118,7 +117,7 @@ std::string to_json(const Plan& plan, bool with_glsl)
                                    {"signal", info(output.signal).name},
                                    {"codec", output.codec.name},
                                    {"extent", extent_json(output.extent)}});
-    return json.dump(2) + "\n";
+    return json.text(2) + "\n";
 }
 
 } // namespace passgraph

@@ -4,12 +4,12 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include <passgraph/core/json_value.hpp>
 
 #include "tool/commands.hpp"
 #include "tool/device.hpp"
 #include "tool/job.hpp"
-#include "tool/json_text.hpp"
 #include "tool/library.hpp"
 #include "tool/progress.hpp"
 
@@ -125,7 +125,7 @@ void print_text(const std::vector<Timed>& plans, const BenchOptions& options)
 
 void print_json(const std::vector<Timed>& plans, const BenchOptions& options)
 {
-    using Object = nlohmann::ordered_json;
+    using Object = JsonValue;
     const Timed& first = plans.front();
     const Plan& plan = first.renderer.plan();
     const auto frame_json = [](const Timed& timed) { return Object{{"median", timed.median_ms()}, {"lowest", timed.lowest_ms()}}; };
@@ -140,7 +140,7 @@ void print_json(const std::vector<Timed>& plans, const BenchOptions& options)
         json["steps"].push_back({{"name", plan.steps[i].name}, {"ms", median(first.step_ms[i])}, {"skipped", first.last[i].was_skipped}});
     if (plans.size() > 1)
         json["compared"] = {{"off", options.compared}, {"frame_ms", frame_json(plans[1])}, {"ratio", first.median_ms() / plans[1].median_ms()}};
-    fmt::print("{}\n", json_text(json));
+    fmt::print("{}\n", json.text(2));
 }
 
 Result<void> bench(const BenchOptions& options)

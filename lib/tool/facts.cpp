@@ -2,13 +2,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <passgraph/core/json_value.hpp>
 #include <passgraph/scene/facts.hpp>
 #include <passgraph/scene/scene_file.hpp>
 
 #include "tool/commands.hpp"
-#include "tool/json_text.hpp"
 #include "tool/options.hpp"
 
 namespace passgraph::tool {
@@ -32,17 +31,17 @@ std::string_view reach_text(const LampReach& reach)
 
 void print_json(const Scene& scene, const Facts& facts, const std::vector<LampReach>& reaches)
 {
-    nlohmann::ordered_json json = {{"passgraph", 1}, {"scene", scene.name}};
+    JsonValue json = {{"passgraph", 1}, {"scene", scene.name}};
     for (const FactRow& row : all_facts())
         json["facts"][std::string(row.name)] = row.get(facts);
-    json["lamps"] = nlohmann::ordered_json::array();
+    json["lamps"] = JsonValue::array();
     for (size_t i = 0; i < reaches.size(); ++i)
         json["lamps"].push_back({{"name", scene.lights[i].name},
                                  {"kind", kKinds[static_cast<size_t>(scene.lights[i].kind)]},
                                  {"is_on", reaches[i].is_on},
                                  {"reaches_surface", reaches[i].to_surface},
                                  {"reaches_view", reaches[i].to_view}});
-    fmt::print("{}\n", json_text(json));
+    fmt::print("{}\n", json.text(2));
 }
 
 Result<void> print_facts(const FactsOptions& options)

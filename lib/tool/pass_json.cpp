@@ -1,16 +1,15 @@
-// A pass's declaration as a JSON object, and objects' texts.
+// A pass's declaration as a JSON object.
 #include <cmath>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
+#include <passgraph/core/json_value.hpp>
 
-#include "tool/json_text.hpp"
 #include "tool/pass_pages.hpp"
 
 namespace passgraph::tool {
 namespace {
 
-using Object = nlohmann::ordered_json;
+using Object = JsonValue;
 
 constexpr std::string_view kWraps[] = {"clamp", "mirror", "repeat"};
 constexpr std::string_view kOvers[] = {"image", "sphere", "table", "scene"};
@@ -168,7 +167,7 @@ std::string pass_json(const PassDeclaration& pass)
 {
     Object json = {{"passgraph", 1}};
     json.update(object_of(pass));
-    return json_text(json);
+    return json.text(2);
 }
 
 std::string passes_json(const PassLibrary& library)
@@ -176,12 +175,7 @@ std::string passes_json(const PassLibrary& library)
     Object json = {{"passgraph", 1}, {"passes", Object::array()}};
     for (const auto& [name, pass] : library.passes())
         json["passes"].push_back(object_of(*pass));
-    return json_text(json);
-}
-
-std::string json_text(const nlohmann::ordered_json& json)
-{
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return json.text(2);
 }
 
 } // namespace passgraph::tool

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <passgraph/core/json.hpp>
+#include <passgraph/core/json_value.hpp>
 
 namespace passgraph::tool {
 namespace {
@@ -70,7 +70,7 @@ std::string preset_text(const std::vector<PassArguments::Setting>& settings)
     std::string text = "{\n  \"passgraph_preset\": 1,\n  \"values\": {";
     for (size_t i = 0; i < settings.size(); ++i) {
         const PassArguments::Setting& setting = settings[i];
-        text += fmt::format("{}\n    {}: {}", i == 0 ? "" : ",", nlohmann::json(setting.name).dump(), value_text(setting));
+        text += fmt::format("{}\n    {}: {}", i == 0 ? "" : ",", JsonValue(setting.name).text(), value_text(setting));
     }
     return text + (settings.empty() ? "}\n}\n" : "\n  }\n}\n");
 }
@@ -78,7 +78,7 @@ std::string preset_text(const std::vector<PassArguments::Setting>& settings)
 std::string value_text(const PassArguments::Setting& setting)
 {
     if (!setting.item.empty())
-        return setting.item == "true" || setting.item == "false" ? setting.item : nlohmann::json(setting.item).dump();
+        return setting.item == "true" || setting.item == "false" ? setting.item : JsonValue(setting.item).text();
     if (setting.numbers.size() == 1)
         return number_text(setting.numbers.front());
     std::vector<std::string> numbers;

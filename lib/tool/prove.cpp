@@ -6,14 +6,13 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <passgraph/core/json_value.hpp>
 #include <passgraph/image/image_file.hpp>
 
 #include "tool/commands.hpp"
 #include "tool/device.hpp"
 #include "tool/job.hpp"
-#include "tool/json_text.hpp"
 #include "tool/library.hpp"
 #include "tool/progress.hpp"
 
@@ -190,7 +189,7 @@ void print_text(const Proof& proof)
 
 void print_json(const Proof& proof)
 {
-    nlohmann::ordered_json json = {{"passgraph", 1}, {"holds", proof.holds()}, {"promises", nlohmann::ordered_json::array()}};
+    JsonValue json = {{"passgraph", 1}, {"holds", proof.holds()}, {"promises", JsonValue::array()}};
     for (const Promise& promise : proof.promises)
         json["promises"].push_back({{"promise", promise.text}, {"holds", promise.holds}, {"account", promise.account}});
     json["passes"] = pass_count(proof.on.plan);
@@ -199,10 +198,10 @@ void print_json(const Proof& proof)
     json["simpler_variants"] = proof.automatic.simpler;
     json["forced_off"] = proof.needed;
     json["as_drawn"] = proof.fused;
-    json["decisions"] = nlohmann::ordered_json::array();
+    json["decisions"] = JsonValue::array();
     for (const Plan::Decision& decision : proof.automatic.plan.decisions)
         json["decisions"].push_back({{"what", decision.what}, {"reason", decision.reason}});
-    fmt::print("{}\n", json_text(json));
+    fmt::print("{}\n", json.text(2));
 }
 
 Result<Proof> draw_all(const Job& job, GlLoader loader)

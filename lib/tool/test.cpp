@@ -3,14 +3,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <passgraph/core/json_value.hpp>
 #include <passgraph/shader/pass_file.hpp>
 
 #include "tool/commands.hpp"
 #include "tool/contract/suite.hpp"
 #include "tool/device.hpp"
-#include "tool/json_text.hpp"
 #include "tool/library.hpp"
 #include "tool/progress.hpp"
 
@@ -77,11 +76,11 @@ void print_report(const PassReport& report)
     }
 }
 
-nlohmann::ordered_json report_json(const PassReport& report)
+JsonValue report_json(const PassReport& report)
 {
-    auto checks = nlohmann::ordered_json::array();
+    auto checks = JsonValue::array();
     for (const CheckLine& line : report.lines) {
-        auto findings = nlohmann::ordered_json::array();
+        auto findings = JsonValue::array();
         for (const Finding& finding : line.findings)
             findings.push_back({{"settings", finding.settings},
                                 {"fed", finding.fed},
@@ -107,7 +106,7 @@ Result<void> test(const TestOptions& options)
     const Result<std::unique_ptr<Context>> context = open_context(options.device);
     if (!context)
         return tl::unexpected(context.error());
-    nlohmann::ordered_json json = {{"passgraph", 1}, {"passes", nlohmann::ordered_json::array()}};
+    JsonValue json = {{"passgraph", 1}, {"passes", JsonValue::array()}};
     std::vector<std::string> unsound;
     for (const PassPtr& pass : *subjects) {
         const Progress progress(fmt::format("testing {}", pass->name));
@@ -120,7 +119,7 @@ Result<void> test(const TestOptions& options)
             print_report(report);
     }
     if (options.as_json)
-        fmt::print("{}\n", json_text(json));
+        fmt::print("{}\n", json.text(2));
     if (unsound.empty())
         return {};
     return fail({"contract_broken", fmt::format("{} of {} passes break their contract: {}", unsound.size(), subjects->size(), fmt::join(unsound, ", ")),

@@ -1,9 +1,8 @@
 // What analysis derived from a pass, as JSON and back: a build bakes it, a start reads it.
 #include <array>
 
-#include <nlohmann/json.hpp>
-
 #include "passgraph/core/json.hpp"
+#include "passgraph/core/json_value.hpp"
 #include "passgraph/core/pass_header.hpp"
 
 namespace passgraph {
@@ -18,11 +17,11 @@ constexpr std::array<std::pair<const char*, AccessClass>, 4> kClasses = {{{"size
 
 std::string derived_to_json(const PassDeclaration& pass)
 {
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    JsonValue json = JsonValue::object();
     for (const InputPort& port : pass.inputs)
         json[port.name] = {{"access", kClasses[static_cast<size_t>(port.access.kind)].first},
                            {"radius", port.access.radius}};
-    return json.dump();
+    return json.text();
 }
 
 Result<void> apply_derived(PassDeclaration& pass, std::string_view json)

@@ -2,14 +2,15 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include <passgraph/core/json_value.hpp>
 
 #include "tool/accuracy/report/report.hpp"
 
 namespace passgraph::accuracy {
 namespace {
 
-using Object = nlohmann::ordered_json;
+using Object = JsonValue;
 
 Object pair_json(const Interval& interval) { return Object::array({interval.low, interval.high}); }
 
@@ -96,7 +97,7 @@ std::string report_json(const Measurements& measurements, const Conditions& cond
         for (const MeasuredRung& rung : ladder.rungs)
             json["rungs"].push_back(rung_json(ladder, rung));
     }
-    return json.dump(2, ' ', false, Object::error_handler_t::replace) + "\n";
+    return json.text(2) + "\n";
 }
 
 std::string report_csv(const Measurements& measurements)
