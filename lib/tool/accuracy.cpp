@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -29,14 +30,14 @@ struct AccuracyOptions {
 
 std::atomic<bool> is_interrupted = false; // set by Ctrl-C
 
-/// While it lives, the first Ctrl-C asks for an end; the second ends the program as always.
+/// While it lives, the first Ctrl-C asks for an end; another at least a second later ends the program as always. One that comes sooner is
+/// the same: `timeout` and some shells signal the process and then its group.
 class InterruptWatch {
 public:
     InterruptWatch()
     {
         struct sigaction action {};
-        action.sa_handler = [](int) { is_interrupted = true; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        action.sa_handler = &InterruptWatch::handle;
         ::sigaction(SIGINT, &action, &before_);
     }
     ~InterruptWatch() { ::sigaction(SIGINT, &before_, nullptr); }
@@ -44,6 +45,19 @@ public:
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
 private:
+    static void handle(int signal)
+    {
+        static std::atomic<std::time_t> first = 0;
+        timespec now {};
+        ::clock_gettime(CLOCK_MONOTONIC, &now);
+        if (!is_interrupted.exchange(true)) {
+            first = now.tv_sec;
+        } else if (now.tv_sec > first + 1) {
+            ::signal(signal, SIG_DFL);
+            ::raise(signal);
+        }
+    }
+
     struct sigaction before_ {};
 };
 
