@@ -77,8 +77,12 @@ void print_glsl(const Plan& plan)
 {
     for (size_t i = 0; i < plan.steps.size(); ++i) {
         const Plan::Step& step = plan.steps[i];
-        fmt::print("\n// step {}: {}, vertex stage\n{}", i + 1, step.name, step.vertex);
-        fmt::print("\n// step {}: {}, fragment stage\n{}", i + 1, step.name, step.fragment);
+        for (const auto& [stage, text] : {std::pair{"vertex stage", &step.vertex},
+                                          {step.background.empty() ? "fragment stage" : "fragment stage of surfaces", &step.fragment},
+                                          {"fragment stage of the background", &step.background},
+                                          {"fragment stage when skipped", &step.when_skipped}})
+            if (!text->empty())
+                fmt::print("\n// step {}: {}, {}\n{}", i + 1, step.name, stage, *text);
         for (size_t source = 0; source < step.sources.size(); ++source)
             fmt::print("// #line source {}: {}\n", source, step.sources[source]);
     }

@@ -1,6 +1,6 @@
 /*{
   "pass": "downsample",
-  "summary": "Halves a picture: each texel is the mean of the four it covers.",
+  "summary": "Makes a picture smaller, by half unless a graph scales it: each texel is the mean of those it covers.",
   "inputs": { "image": { "signal": "color", "filter": "linear" } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
   "black": ["image"],
@@ -13,7 +13,13 @@
 }*/
 vec3 downsample(vec2 uv)
 {
-    // The center of a halved texel is the corner between four, where the linear filter weighs each by 1/4. An odd size
-    // is rounded up and sampled at the centers all the same: nothing shifts. Below 1/2, repeat instead of scaling more.
-    return image(uv);
+    // A corner between four texels, where the linear filter weighs each by 1/4, for every two texels that a new one covers: 1 for
+    // a half, 4 x 4 for an eighth. An odd size is rounded up and sampled at the same shares of it: nothing shifts.
+    ivec2 count = max((image_size() + pixel_count()) / (2 * pixel_count()), ivec2(1));
+    vec2 covered = 1.0 / vec2(pixel_count());
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < count.y; ++y)
+        for (int x = 0; x < count.x; ++x)
+            sum += image(uv + ((vec2(x, y) + 0.5) / vec2(count) - 0.5) * covered);
+    return sum / float(count.x * count.y);
 }

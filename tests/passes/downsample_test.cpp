@@ -67,3 +67,22 @@ TEST_CASE("a mirror image is halved to a mirror image", "[passes][resample]")
     const Picture straight = mirrored(halved(image));
     require_texels(halved(mirrored(image)), [&](int x, int y, int c) { return straight.at(x, y, c); }, 2.0 * tolerance(17, 4.0));
 }
+
+TEST_CASE("a picture scaled to a fourth or an eighth holds the means of all texels that each new one covers", "[passes][resample]")
+{
+    for (const int factor : {4, 8}) {
+        CAPTURE(factor);
+        const Picture image = noise({64, 24}, 3, 0.0f, 4.0f, 38);
+        const Picture got = run_for_output({.pass = "downsample", .inputs = {{"image", image}}, .scale = Ratio{1, factor}});
+        REQUIRE(got.extent == Extent{64 / factor, 24 / factor});
+        const auto mean = [&](int x, int y, int c) {
+            double sum = 0.0;
+            for (int j = 0; j < factor; ++j)
+                for (int i = 0; i < factor; ++i)
+                    sum += image.at(factor * x + i, factor * y + j, c);
+            return sum / (factor * factor);
+        };
+        // The sum's own roundings come on top: one for each four texels.
+        require_texels(got, mean, tolerance(64, 4.0) + factor * factor / 4.0 * kRounding * 4.0);
+    }
+}

@@ -37,14 +37,20 @@ double shown(double radiance, double white)
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
 }
 
-Picture toned(const Picture& image, const std::string& exposure = "1", const std::string& white = "11.2")
+Picture toned(const Picture& image, const std::string& exposure = "1", const std::string& white = "11.2",
+              const std::string& transfer = "exact")
 {
-    return run_for_output({.pass = "tone_map", .inputs = {{"image", image}}, .settings = {{"exposure", exposure}, {"white", white}}});
+    return run_for_output({.pass = "tone_map",
+                           .inputs = {{"image", image}},
+                           .settings = {{"exposure", exposure}, {"white", white}, {"transfer", transfer}}});
 }
 
 // pow(x, 1 / 2.4) is 4.3 ulp off on llvmpipe, 8.6 roundings, times 1.055; the curve's 24 relative roundings are damped by
 // 1 / 2.4 above the joint and multiplied by 12.92 x < 0.041 below it; product and difference add 3.
 constexpr double kShown = (1.055 * 8.6 + 10.0 + 3.0) * kRounding;
+// The rational transfer is 1.31e-4 off in exact arithmetic; its square root, quotient and six more operations round, and the
+// largest intermediate value, near 6, is divided again.
+constexpr double kRational = 1.31e-4 + (10.0 + 10.0) * kRounding;
 
 } // namespace
 
@@ -89,6 +95,7 @@ TEST_CASE("tone mapping is Hable's curve as published, encoded once", "[passes][
         const Picture image = noise(extent, 3, 0.0f, 14.0f, seed++);
         require_texels(toned(image), [&](int x, int y, int c) { return shown(image.at(x, y, c), 11.2); }, kShown);
         require_texels(toned(image, "0.3", "4"), [&](int x, int y, int c) { return shown(0.3 * image.at(x, y, c), 4.0); }, kShown);
+        require_texels(toned(image, "1", "11.2", "rational"), [&](int x, int y, int c) { return shown(image.at(x, y, c), 11.2); }, kRational);
     }
 }
 
@@ -97,6 +104,8 @@ TEST_CASE("black stays black, white and beyond is 1", "[passes][tone_map][identi
     require_same(toned(constant({3, 1}, {0.0f, 0.0f, 0.0f})), constant({3, 1}, {0.0f, 0.0f, 0.0f}));
     require_texels(toned(constant({3, 1}, {11.2f, 100.0f, 65504.0f})), [](int, int, int) { return 1.0; }, kShown);
     require_texels(toned(constant({3, 1}, {65504.0f, 0.2f, 1.0f}), "100"), [](int, int, int) { return 1.0; }, kShown);
+    require_same(toned(constant({3, 1}, {0.0f, 0.0f, 0.0f}), "1", "11.2", "rational"), constant({3, 1}, {0.0f, 0.0f, 0.0f}));
+    require_texels(toned(constant({3, 1}, {11.2f, 100.0f, 65504.0f}), "1", "11.2", "rational"), [](int, int, int) { return 1.0; }, 10.0 * kRounding);
 }
 
 TEST_CASE("an exposure of 2 is twice the radiance", "[passes][tone_map][identity]")
@@ -113,9 +122,12 @@ TEST_CASE("a brighter radiance is never shown darker", "[passes][tone_map]")
     Picture image({2000, 1}, 3);
     for (int x = 0; x < 2000; ++x)
         image.at(x, 0, 0) = static_cast<float>(1e-6 * std::pow(2e7, x / 1999.0));
-    const Picture got = toned(image);
-    for (int x = 1; x < 2000; ++x)
-        CHECK(got.at(x, 0, 0) >= got.at(x - 1, 0, 0) - 4.0 * kRounding * got.at(x, 0, 0));
+    for (const char* transfer : {"exact", "rational"}) {
+        CAPTURE(transfer);
+        const Picture got = toned(image, "1", "11.2", transfer);
+        for (int x = 1; x < 2000; ++x)
+            CHECK(got.at(x, 0, 0) >= got.at(x - 1, 0, 0) - 4.0 * kRounding * got.at(x, 0, 0));
+    }
 }
 
 TEST_CASE("the curve of no number, of less than nothing and of infinity is that of black and white", "[passes][tone_map]")

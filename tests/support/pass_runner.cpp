@@ -65,6 +65,7 @@ Graph graph_for(const PassRun& run, const PassLibrary& library, const PassDeclar
     Graph graph(library);
     PassArguments arguments;
     arguments.name = "pass_under_test";
+    arguments.scale = run.scale;
     for (const auto& [name, picture] : run.inputs) {
         const int port = pass.find_input(name);
         REQUIRE(port >= 0);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,7 @@ struct PassRun {
     Extent extent{};                    ///< of the frame, when there are no inputs
     std::vector<std::string> folders{}; ///< of further passes
     const Scene* scene = nullptr;       ///< for geometry, camera and lights
+    std::optional<Ratio> scale{};       ///< of the outputs, instead of the pass's own
 };
 
 /// The outputs by name. A failure to compile or render fails the test with the errors' text.

@@ -158,6 +158,7 @@ private:
         for (const TargetRef target : targets_of(encoding_, draw_)) {
             const int slot = slots_.slot_of.at(target);
             step_.extent = graph_.images[static_cast<size_t>(target.node)].front().extent;
+            source_.extent = step_.extent;
             if (is_depth(encoding_.target(target).format)) {
                 step_.depth_slot = slot;
                 continue;

@@ -290,7 +290,8 @@ std::string fragment_text(const StepSource& step, std::vector<std::string>& sour
         text.add(sphere_functions());
     text.add(glsl_codec_functions());
     text.add(accessors(step.reads, step.kind, step.facts));
-    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
+    text.add_line(fmt::format("ivec2 pixel() {{ return ivec2(gl_FragCoord.xy); }}\nivec2 pixel_count() {{ return ivec2({}, {}); }}",
+                              step.extent.width, step.extent.height));
     for (const Instance& instance : step.instances)
         add_instance(text, instance, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");

@@ -65,6 +65,7 @@ struct StepSource {
     std::vector<std::vector<StoredValue>> targets; ///< by location: everything that stands there
     Reads reads;
     PassKind kind = PassKind::image;
+    Extent extent; ///< of what is drawn
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
     bool discards_black = false; ///< pixels whose stored values all are 0 are not drawn
     bool has_skipped_variant = false; ///< a second text for which inputs are black that may be

@@ -13,7 +13,7 @@ std::string standalone_text(const PassDeclaration& pass, const std::vector<int>&
     ProgramText text(sources);
     text.add_line("#version 330 core");
     text.add(accessors(pass.reads, pass.kind));
-    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }");
+    text.add_line("ivec2 pixel() { return ivec2(gl_FragCoord.xy); }\nivec2 pixel_count() { return ivec2(1); }");
     for (const InputPort& port : pass.inputs) {
         if (port.over == Over::scene)
             continue;
