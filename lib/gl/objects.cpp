@@ -35,6 +35,7 @@ Result<Driver> create_driver(GlLoader loader)
     driver.limits.texture_units = query_limit(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
     driver.limits.color_targets =
         std::min(query_limit(gl, GL_MAX_DRAW_BUFFERS), query_limit(gl, GL_MAX_COLOR_ATTACHMENTS));
+    driver.limits.varying_components = query_limit(gl, GL_MAX_VARYING_COMPONENTS);
     driver.limits.texture_buffer_texels = query_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     driver.device_name = fmt::format("{}, OpenGL {}", query_text(gl, GL_RENDERER), query_text(gl, GL_VERSION));
     return driver;
@@ -84,7 +85,8 @@ Result<Device> query_device(GlLoader loader)
         return tl::unexpected(driver.error());
     return Device{.max_texture_size = driver->limits.texture_size,
                   .max_texture_units = driver->limits.texture_units,
-                  .max_color_targets = driver->limits.color_targets};
+                  .max_color_targets = driver->limits.color_targets,
+                  .max_varying_components = driver->limits.varying_components};
 }
 
 } // namespace passgraph

@@ -15,6 +15,7 @@ struct Limits {
     int cube_size = 1024;
     int texture_units = 16;
     int color_targets = 8;
+    int varying_components = 60;
     int texture_buffer_texels = 65536;
 };
 

@@ -60,11 +60,11 @@ vec2 place_in_atlas(vec2 texels)
 void gbuffer_surface(vec3 placed, vec3 facing, vec2 uv, out vec3 albedo, out vec3 material, out vec3 normal,
                      out vec3 position, out vec2 atlas_uv, out vec3 emissive)
 {
-    // A mesh without normals, or opposite ones that meet between vertices, has no direction there: it faces the viewer.
+    // A mesh without normals, or opposite ones that meet between vertices, has no direction there: it faces the screen.
     // 1e-6 of a unit normal's length is what rounding leaves of two that cancel.
     float squared = dot(facing, facing);
     vec3 front = element_is_back_facing() ? -facing : facing;
-    normal = squared > 1e-12 ? front * inversesqrt(squared) : unit_vector_or(-placed, vec3(0.0, 0.0, 1.0));
+    normal = squared > 1e-12 ? front * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
     position = placed;
 
     atlas_uv = place_in_atlas(uv);

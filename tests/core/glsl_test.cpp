@@ -115,17 +115,17 @@ TEST_CASE("names of each use are kept apart, and lines keep their numbers", "[co
     CHECK_THAT(text, Contains("#line 1 " + std::to_string(common - sources.begin()) + "\n"));
 }
 
-TEST_CASE("live parameters are uniforms, static ones constants", "[core][glsl]")
+TEST_CASE("live parameters are uniforms that come by the vertex stage, static ones constants", "[core][glsl]")
 {
     const PassLibrary library = glsl_library();
     const Plan live = two_gains(library, Signal::radiance);
-    CHECK_THAT(live.steps.front().fragment, Contains("uniform float p0_amount;") && Contains("uniform float p1_amount;") &&
+    CHECK_THAT(live.steps.front().fragment, Contains("flat in float flat_p0_amount;") && Contains("flat in float flat_p1_amount;") &&
                                                 Contains("const vec3 p0_tint = vec3(0.25, 0.5, 1.0);"));
     REQUIRE(live.steps.front().uniforms.size() == 2);
     CHECK(live.steps.front().uniforms[1].name == "p1_amount");
     CHECK(live.steps.front().uniforms[1].place == "gain_2.amount");
     const Plan folded = two_gains(library, Signal::radiance, {{"amount", {}}});
-    CHECK_THAT(folded.steps.front().fragment, Contains("const float p0_amount = 0.5;") && Contains("uniform float p1_amount;"));
+    CHECK_THAT(folded.steps.front().fragment, Contains("const float p0_amount = 0.5;") && Contains("flat in float flat_p1_amount;"));
     CHECK(folded.steps.front().uniforms.size() == 1);
 }
 

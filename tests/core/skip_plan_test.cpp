@@ -108,7 +108,7 @@ TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a varia
     CHECK(counting.counts == 0);
     CHECK(counting.extent == Extent{160, 90});
     CHECK_THAT(counting.fragment, Contains("discard"));
-    CHECK(conditional(plan) == std::vector<std::string>{"half", "quarter", "glow.horizontal", "glow.vertical"});
+    CHECK(conditional(plan) == std::vector<std::string>{"eighth", "glow.horizontal", "glow.vertical"});
     const Plan::Step& film = step(plan, "film + shown");
     CHECK(film.skipped_by == 0);
     CHECK(film.black_images == "glow.vertical");
@@ -274,7 +274,7 @@ TEST_CASE("nothing is counted where nothing depends on it", "[core][skip]")
 TEST_CASE("what is cleared is what black is stored as, alpha and all", "[core][skip]")
 {
     const Plan plan = planned(demo());
-    CHECK(step(plan, "half").targets.front().black == std::array{0.0f, 0.0f, 0.0f, 1.0f});
+    CHECK(step(plan, "eighth").targets.front().black == std::array{0.0f, 0.0f, 0.0f, 1.0f});
     const auto with_alpha = read_graph_description(R"({ "passgraph": 1, "inputs": { "photo": "radiance_alpha" },
         "passes": { "half": { "pass": "downsample", "inputs": { "image": "photo" } } }, "outputs": { "color": "half" } })", "alpha.graph.json");
     REQUIRE(with_alpha);

@@ -43,7 +43,7 @@ TEST_CASE("built-in passes read their inputs in the way their function needs", "
     };
     const auto row = GENERATE(values<Row>({
         {"bloom_combine", "scene", "pointwise"}, {"bloom_combine", "bloom", "pointwise"}, {"bright", "image", "pointwise"},
-        {"blur_direction", "image", "gather(12)"}, {"downsample", "image", "pointwise"}, {"upsample", "image", "pointwise"},
+        {"blur_direction", "image", "gather(12)"}, {"downsample", "image", "gather(radius unknown)"}, {"upsample", "image", "pointwise"},
         {"night_vision", "image", "pointwise"}, {"vignette", "image", "pointwise"}, {"tone_map", "image", "pointwise"},
         {"pixelate", "image", "gather(radius unknown)"}, {"pbr_surface", "albedo", "pointwise"}, {"pbr_surface", "normal", "pointwise"},
         {"pbr_surface", "position", "pointwise"}, {"pbr_surface", "emissive", "pointwise"}, {"sky", "depth", "pointwise"},

@@ -17,6 +17,7 @@ struct Device {
     int max_texture_size = 1024;
     int max_texture_units = 16;
     int max_color_targets = 8;
+    int max_varying_components = 60;
 };
 
 /// Whether passes that say where they are black ("skip" in the header) may keep what follows from them from being drawn.
@@ -29,7 +30,7 @@ enum class Skipping : std::uint8_t {
 struct CompileOptions {
     Extent extent{1280, 720};                        ///< of the frame: geometry passes, and graphs without pictures
     std::map<std::string, Extent> picture_extents{}; ///< of imported pictures, by name; else `extent`
-    Device device{16384, 32, 8};
+    Device device{16384, 32, 8, 120};
     Facts facts{}; ///< of the scene, as far as known
     bool specialise = true; ///< false: what a scene or a pixel does not need is done all the same
     Skipping skipping = Skipping::as_needed; ///< as `never` when `specialise` is off

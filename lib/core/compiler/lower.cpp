@@ -23,6 +23,7 @@ public:
         if (options.specialise)
             source_.facts = options.facts;
         source_.has_guards = options.guards;
+        source_.varying_components = options.device.max_varying_components;
     }
 
     Plan::Step run()

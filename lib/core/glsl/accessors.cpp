@@ -1,23 +1,22 @@
 // GLSL of what the frame offers a pass beside its inputs: camera, lights, frame, elements.
+#include "core/glsl/accessors.hpp"
+
 #include <cassert>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "passgraph/core/glsl_interface.hpp"
 
 namespace passgraph::glsl {
 namespace {
 
-constexpr const char* kCamera = R"(layout(std140) uniform passgraph_camera_block
-{
-    mat4 passgraph_clip_from_view;
-    mat4 passgraph_view_from_world;
-    mat4 passgraph_world_from_view;
-    vec4 passgraph_ray;
-    vec4 passgraph_range;
-};
-vec3 view_ray(vec2 uv) { return vec3((uv * 2.0 - 1.0) * passgraph_ray.xy + passgraph_ray.zw, -1.0); }
+constexpr const char* kFlatCamera = R"(flat in mat4 passgraph_view_from_world;
+flat in mat4 passgraph_world_from_view;
+flat in vec4 passgraph_ray;
+flat in vec4 passgraph_range;
+)";
+
+constexpr const char* kCamera = R"(vec3 view_ray(vec2 uv) { return vec3((uv * 2.0 - 1.0) * passgraph_ray.xy + passgraph_ray.zw, -1.0); }
 vec3 world_from_view(vec3 direction) { return mat3(passgraph_world_from_view) * direction; }
 vec3 view_from_world(vec3 direction) { return mat3(passgraph_view_from_world) * direction; }
 vec3 camera_position() { return passgraph_world_from_view[3].xyz; }
@@ -95,9 +94,9 @@ vec3 element_normal_to_view(vec3 normal)
     return vec3(dot(passgraph_element[3].xyz, normal), dot(passgraph_element[4].xyz, normal),
                 dot(passgraph_element[5].xyz, normal));
 }
-vec2 element_texels() { return passgraph_element[6].xy; }
-int element_last_level() { return int(passgraph_element[6].z); }
-ivec2 element_wrap() { return ivec2(int(passgraph_element[6].w) & 3, int(passgraph_element[6].w) >> 2); }
+vec2 element_texels() { return passgraph_cell.xy; }
+int element_last_level() { return int(passgraph_cell.z); }
+ivec2 element_wrap() { return ivec2(int(passgraph_cell.w) & 3, int(passgraph_cell.w) >> 2); }
 vec4 element_level(int i) { return passgraph_atlas_levels[i]; }
 vec3 element_albedo(vec2 place) { return texture(passgraph_atlas_albedo, place).rgb; }
 vec3 element_material(vec2 place) { return texture(passgraph_atlas_material, place).rgb; }
@@ -105,44 +104,64 @@ vec3 element_emissive(vec2 place) { return texture(passgraph_atlas_emissive, pla
 )";
 
 /// What is known of the lights is a constant, which folds away whatever the lights do not need.
-std::string lights_part(const Facts& facts)
+std::string lights_part(const Facts& facts, const Flats& flats)
 {
     const bool are_few = facts.lights() <= kFewLights;
     const int count = are_few ? static_cast<int>(facts.lights()) : 0;
     std::string rows = "uniform samplerBuffer passgraph_lights;\nvec4 passgraph_light_row(int i) { return texelFetch(passgraph_lights, i); }\n";
     if (are_few)
         rows = count == 0 ? "vec4 passgraph_light_row(int i) { return vec4(0.0); }\n"
-                          : fmt::format("uniform vec4 {0}[{1}];\nvec4 passgraph_light_row(int i) {{ return {0}[i]; }}\n", kLightRows,
-                                        count * kLightTexels);
+                          : fmt::format("{}vec4 passgraph_light_row(int i) {{ return {}[i]; }}\n",
+                                        declared(flats, "vec4", kLightRows, count * kLightTexels), name_in(flats, kLightRows));
     return fmt::format("{}{}int light_count() {{ return {}; }}\nbool lights_have_ends() {{ return {}; }}\n"
                        "bool lights_have_cones() {{ return {}; }}\n",
                        rows, kLight, are_few ? std::to_string(count) : "passgraph_light_count",
                        facts.point_lights + facts.spot_lights > 0.0, facts.spot_lights > 0.0);
 }
 
-std::string common_part(const Reads& reads, const Facts& facts)
+/// `cell` declares passgraph_cell, an element's last row: flat, see flat.hpp.
+std::string common_part(const Reads& reads, const Facts& facts, const Flats& flats, std::string_view cell)
 {
     std::string text;
     if (reads.camera)
-        text += kCamera;
+        text += (flats.has_camera ? kFlatCamera : camera_block("")) + kCamera;
     if (reads.frame || reads.lights)
         text += kFrame;
     if (reads.frame)
         text += kFrameAccessors;
     if (reads.lights)
-        text += lights_part(facts);
+        text += lights_part(facts, flats);
     if (reads.materials)
         text += fmt::format("bool materials_have_metal() {{ return {}; }}\n", facts.metal > 0.0);
     if (reads.elements)
-        text += kElements;
+        text += fmt::format("{} vec4 passgraph_cell;\n{}", cell, kElements);
     return text;
 }
 
 } // namespace
 
-std::string accessors(const Reads& reads, PassKind kind, const Facts& facts)
+std::string camera_block(std::string_view instance)
 {
-    std::string text = common_part(reads, facts);
+    return fmt::format(R"(layout(std140) uniform {}
+{{
+    mat4 passgraph_clip_from_view;
+    mat4 passgraph_view_from_world;
+    mat4 passgraph_world_from_view;
+    vec4 passgraph_ray;
+    vec4 passgraph_range;
+}}{}{};
+)",
+                       kCameraBlock, instance.empty() ? "" : " ", instance);
+}
+
+int light_rows(const Reads& reads, const Facts& facts)
+{
+    return reads.lights && facts.lights() <= kFewLights ? static_cast<int>(facts.lights()) * kLightTexels : 0;
+}
+
+std::string accessors(const Reads& reads, PassKind kind, const Facts& facts, const Flats& flats)
+{
+    std::string text = common_part(reads, facts, flats, "flat in");
     if (reads.elements && kind == PassKind::geometry) {
         // A mirrored element has its winding, and so the host's front face, flipped already.
         text += "bool element_is_back_facing() { return !gl_FrontFacing; }\n";
@@ -150,9 +169,11 @@ std::string accessors(const Reads& reads, PassKind kind, const Facts& facts)
     return text;
 }
 
+std::string accessors(const Reads& reads, PassKind kind, const Facts& facts) { return accessors(reads, kind, facts, {}); }
+
 std::string vertex_accessors(const Reads& reads)
 {
-    std::string text = common_part(reads, {});
+    std::string text = common_part(reads, {}, {}, "flat out");
     if (reads.elements)
         text += "bool element_is_back_facing() { return false; }\n";
     // A pass's functions for the surface stand in this stage too, uncalled; there are no derivatives here.

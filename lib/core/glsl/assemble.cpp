@@ -5,139 +5,27 @@
 
 #include <fmt/format.h>
 
-#include "core/glsl/module_text.hpp"
+#include "core/glsl/accessors.hpp"
+#include "core/glsl/flat.hpp"
+#include "core/glsl/inputs.hpp"
 #include "passgraph/core/glsl_interface.hpp"
 
 namespace passgraph::glsl {
 namespace {
 
-using Renames = std::vector<std::pair<std::string, std::string>>;
-
-/// The pixels, or the case, that a fragment stage is for.
-enum class Part { whole, surfaces, background, when_skipped };
-
-std::string prefix_of(int number) { return fmt::format("p{}_", number); }
-
-/// The expression that reads an input at `place` ("uv, 0.0"), decoded, guarded when the host supplies it.
-/// Codes that stand in the first channels of one texture are its texel; others are gathered into a vec4.
-std::string texture_value(const InputSource& source, std::string_view function, std::string_view place)
-{
-    const auto fetch = [&](const InputSource::Piece& piece) {
-        return fmt::format("{}({}, {})", function, piece.sampler, place);
-    };
-    std::string texel;
-    size_t channels = 0;
-    for (const InputSource::Piece& piece : source.pieces) {
-        texel += fmt::format("{}.{}, ", fetch(piece), piece.channels);
-        channels += piece.channels.size();
-    }
-    if (source.pieces.size() == 1 && std::string_view("rgba").starts_with(source.pieces.front().channels))
-        texel = fetch(source.pieces.front());
-    else
-        texel = channels == 4 ? fmt::format("vec4({})", texel.substr(0, texel.size() - 2))
-                              : fmt::format("vec4({}{}1.0)", texel, channels == 1 ? "0.0, 0.0, " : channels == 2 ? "0.0, " : "");
-    std::string value = glsl_decode_call(source.signal, source.codec, texel);
-    if (source.is_import)
-        value = glsl_guard_call(source.signal, value);
-    return value;
-}
-
-void add_image_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name,
-                        Part part)
-{
-    const std::string_view type = glsl_type(seen_components(port));
-    const bool drops_alpha = info(source.signal).has_alpha && seen_components(port) == 3;
-    const auto add = [&](const std::string& suffix, const std::string& parameters, std::string_view function,
-                         std::string_view place) {
-        const bool is_zero = source.kind == InputSource::Kind::black || (part == Part::background && source.is_tested_depth) ||
-                             (part == Part::when_skipped && source.is_black_when_skipped);
-        const bool is_constant = source.kind == InputSource::Kind::constant || source.kind == InputSource::Kind::black;
-        const int components = is_constant ? seen_components(port) : info(source.signal).components;
-        const std::string whole = is_zero ? fmt::format("{}(0.0)", glsl_type(components))
-                                  : source.kind == InputSource::Kind::value   ? source.name
-                                  : source.kind == InputSource::Kind::texture ? texture_value(source, function, place)
-                                                                              : constant_value(port);
-        const bool is_wide = !is_constant && drops_alpha;
-        text.add_line(fmt::format("{} {}{}({}) {{ return {}{}; }}", type, name, suffix, parameters,
-                                  is_wide ? "(" + whole + ")" : whole, is_wide ? ".rgb" : ""));
-        if (is_wide && suffix.empty())
-            text.add_line(fmt::format("float {}_alpha(vec2 uv) {{ return ({}).a; }}", name, whole));
-    };
-    if (port.has_levels) {
-        add("", "vec2 uv", "textureLod", "uv, 0.0");
-        add("_lod", "vec2 uv, float lod", "textureLod", "uv, lod");
-    } else {
-        add("", "vec2 uv", "texture", "uv");
-    }
-    const bool has_own_extent = source.extent.width > 0; // a table's may be known only when it is bound
-    if (!has_own_extent) {
-        const std::string size = fmt::format("textureSize({}, 0)", source.pieces.front().sampler);
-        text.add_line(fmt::format("vec2 {}_texel() {{ return 1.0 / vec2({}); }}", name, size));
-        text.add_line(fmt::format("ivec2 {}_size() {{ return {}; }}", name, size));
-        return;
-    }
-    text.add_line(fmt::format("vec2 {}_texel() {{ return vec2({:#}, {:#}); }}", name,
-                              1.0 / std::max(source.extent.width, 1), 1.0 / std::max(source.extent.height, 1)));
-    text.add_line(
-        fmt::format("ivec2 {}_size() {{ return ivec2({}, {}); }}", name, source.extent.width, source.extent.height));
-}
-
-void add_sphere_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name)
-{
-    const std::string_view type = glsl_type(seen_components(port));
-    const bool is_wired = source.kind == InputSource::Kind::cube;
-    const std::string constant =
-        source.kind == InputSource::Kind::black ? fmt::format("{}(0.0)", type) : constant_value(port);
-    const std::string value = is_wired ? texture_value(source, "textureLod", "direction, lod") : constant;
-    text.add_line(fmt::format("{} {}(vec3 direction, float lod) {{ return {}; }}", type, name, value));
-    text.add_line(fmt::format("float {}_top_lod() {{ return {}; }}", name,
-                              is_wired ? fmt::format("passgraph_top_level(textureSize({}, 0).x)", source.pieces.front().sampler) : "0.0"));
-    if (!port.has_levels)
-        return;
-    const std::string irradiance = is_wired
-                                       ? fmt::format("passgraph_irradiance({}, direction)", harmonics_name(source.pieces.front().sampler))
-                                       : fmt::format("{} * 3.14159265358979324", constant);
-    text.add_line(fmt::format("{} {}_irradiance(vec3 direction) {{ return {}; }}", type, name, irradiance));
-}
-
-void add_inputs(ProgramText& text, const Instance& instance, Renames& renames, Part part)
-{
-    const std::string prefix = prefix_of(instance.number);
-    for (size_t i = 0; i < instance.pass->inputs.size(); ++i) {
-        const InputPort& port = instance.pass->inputs[i];
-        if (port.over == Over::scene)
-            continue;
-        const auto rename = [&](const std::string& suffix) {
-            renames.emplace_back(port.name + suffix, prefix + port.name + suffix);
-        };
-        rename("");
-        if (port.over == Over::sphere) {
-            rename("_top_lod");
-            if (port.has_levels)
-                rename("_irradiance");
-            add_sphere_accessor(text, port, instance.inputs[i], prefix + port.name);
-        } else {
-            rename("_texel");
-            rename("_size");
-            if (port.has_levels)
-                rename("_lod");
-            add_image_accessor(text, port, instance.inputs[i], prefix + port.name, part);
-        }
-    }
-}
-
-void add_settings(ProgramText& text, const Instance& instance, Renames& renames)
+void add_settings(ProgramText& text, const Instance& instance, const Flats& flats, Renames& renames)
 {
     const PassDeclaration& pass = *instance.pass;
     for (size_t i = 0; i < pass.params.size(); ++i) {
         const Param& param = pass.params[i];
-        const std::string name = uniform_name(instance.number, param.name);
+        const std::string uniform = uniform_name(instance.number, param.name);
+        const std::string name = instance.is_static[i] ? uniform : name_in(flats, uniform);
         renames.emplace_back(param.name, name);
         if (instance.is_static[i])
             text.add_line(fmt::format("const {} {} = {};", glsl_type_of(param.type), name,
                                       literal(param.type, instance.params[i])));
         else
-            text.add_line(fmt::format("uniform {} {};", glsl_type_of(param.type), name));
+            text.add(declared(flats, std::string(glsl_type_of(param.type)), uniform));
         for (size_t item = 0; item < param.items.size(); ++item)
             renames.emplace_back(param.name + "_" + param.items[item], std::to_string(item));
     }
@@ -158,12 +46,28 @@ std::string alpha_of(const Instance& instance)
     return "1.0";
 }
 
-std::string guarded_output(const Instance& instance, size_t output, const std::string& value, bool has_guards)
+/// Of a geometry pass's direction nothing is kept but octahedral codes, which are of a direction of any length.
+bool keeps_only_octahedral_codes(const StepSource& step, const Instance& instance, size_t output)
+{
+    if (step.kind != PassKind::geometry || info(instance.signals[output]).guard != Guard::unit_vector)
+        return false;
+    const std::string name = value_name(instance, output);
+    for (const std::vector<StoredValue>& target : step.targets)
+        for (const StoredValue& stored : target)
+            if (stored.value == name && stored.codec.packing != Packing::octahedral)
+                return false;
+    return true;
+}
+
+std::string guarded_output(const StepSource& step, const Instance& instance, size_t output, const std::string& value)
 {
     const bool carries_alpha =
         info(instance.signals[output]).has_alpha && instance.pass->outputs[output].signal == Signal::color;
     const std::string whole = carries_alpha ? fmt::format("vec4({}, {})", value, alpha_of(instance)) : value;
-    return has_guards ? glsl_guard_call(instance.signals[output], whole) : whole;
+    if (!step.has_guards)
+        return whole;
+    return keeps_only_octahedral_codes(step, instance, output) ? fmt::format("passgraph_guard_direction({})", whole)
+                                                               : glsl_guard_call(instance.signals[output], whole);
 }
 
 /// The pass does nothing at the part's pixels.
@@ -174,7 +78,7 @@ bool is_idle(const PassDeclaration& pass, Part part)
 }
 
 /// What a pass is at pixels where it does nothing: the input it names, or 0.
-void add_idle_values(ProgramText& text, const Instance& instance, bool has_guards)
+void add_idle_values(ProgramText& text, const StepSource& step, const Instance& instance)
 {
     const PassDeclaration& pass = *instance.pass;
     for (size_t i = 0; i < pass.outputs.size(); ++i) {
@@ -182,7 +86,7 @@ void add_idle_values(ProgramText& text, const Instance& instance, bool has_guard
                                       ? fmt::format("{}(0.0)", glsl_type(info(instance.signals[i]).components))
                                       : fmt::format("{}{}(uv)", prefix_of(instance.number), pass.elsewhere);
         text.add_line(fmt::format("    {} = {};", value_name(instance, i),
-                                  pass.elsewhere.empty() ? value : guarded_output(instance, i, value, has_guards)));
+                                  pass.elsewhere.empty() ? value : guarded_output(step, instance, i, value)));
     }
 }
 
@@ -202,16 +106,15 @@ std::string only_value(const Instance& instance)
 void add_evaluation(ProgramText& text, const Instance& instance, const StepSource& step, Part part)
 {
     const PassKind kind = step.kind;
-    const bool has_guards = step.has_guards;
     const PassDeclaration& pass = *instance.pass;
     if (is_idle(pass, part)) {
-        add_idle_values(text, instance, has_guards);
+        add_idle_values(text, step, instance);
         return;
     }
     const std::string prefix = prefix_of(instance.number);
     if (kind == PassKind::image && pass.outputs.size() == 1) {
         text.add_line(fmt::format("    {} = {};", value_name(instance, 0),
-                                  guarded_output(instance, 0, only_value(instance), has_guards)));
+                                  guarded_output(step, instance, 0, only_value(instance))));
         return;
     }
     std::string call =
@@ -231,17 +134,17 @@ void add_evaluation(ProgramText& text, const Instance& instance, const StepSourc
             continue;
         }
         text.add_line(fmt::format("    {} = {};", value_name(instance, i),
-                                  guarded_output(instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name), has_guards)));
+                                  guarded_output(step, instance, i, fmt::format("{}raw_{}", prefix, pass.outputs[i].name))));
     }
 }
 
-void add_instance(ProgramText& text, const Instance& instance, Part part)
+void add_instance(ProgramText& text, const Instance& instance, const Flats& flats, Part part)
 {
     Renames renames;
     for (size_t i = 0; i < instance.pass->outputs.size(); ++i)
         text.add_line(fmt::format("{} {};", glsl_type(info(instance.signals[i]).components), value_name(instance, i)));
-    add_inputs(text, instance, renames, part);
-    add_settings(text, instance, renames);
+    add_inputs(text, instance, flats, renames, part);
+    add_settings(text, instance, flats, renames);
     const std::string prefix = prefix_of(instance.number);
     text.add_module(instance.pass->body, prefix, renames);
     if (!instance.pass->skip_when.empty() && instance.may_skip)
@@ -273,27 +176,28 @@ void add_target(ProgramText& text, const std::vector<StoredValue>& values, size_
                                   std::string_view("rgba").substr(stored.first_code, stored.channels.size())));
 }
 
-std::string fragment_text(const StepSource& step, std::vector<std::string>& sources, Part part)
+std::string fragment_text(const StepSource& step, const Flats& flats, std::vector<std::string>& sources, Part part)
 {
     ProgramText text(sources);
     text.add_line("#version 330 core");
     if (step.kind == PassKind::geometry)
-        text.add_line("in vec3 passgraph_placed;\nin vec3 passgraph_facing;");
-    text.add_line("in vec2 passgraph_uv;");
+        text.add_line("in vec3 passgraph_placed;\nin vec3 passgraph_facing;\nin vec2 passgraph_uv;");
+    else
+        text.add_line("noperspective in vec2 passgraph_uv;");
     for (size_t i = 0; i < step.targets.size(); ++i)
         text.add_line(fmt::format("layout(location = {}) out vec4 passgraph_target_{};", i, i));
     for (const SamplerDeclaration& sampler : step.samplers)
-        text.add_line(sampler.is_cube ? fmt::format("uniform samplerCube {};\nuniform vec3 {}[{}];", sampler.name,
-                                                    harmonics_name(sampler.name), kHarmonics)
-                                      : fmt::format("uniform sampler2D {};", sampler.name));
+        text.add(sampler.is_cube ? fmt::format("uniform samplerCube {};\n{}", sampler.name,
+                                               declared(flats, "vec3", harmonics_name(sampler.name), kHarmonics))
+                                 : fmt::format("uniform sampler2D {};\n", sampler.name));
     if (std::any_of(step.samplers.begin(), step.samplers.end(), [](const auto& sampler) { return sampler.is_cube; }))
         text.add(sphere_functions());
     text.add(glsl_codec_functions());
-    text.add(accessors(step.reads, step.kind, step.facts));
+    text.add(accessors(step.reads, step.kind, step.facts, flats));
     text.add_line(fmt::format("ivec2 pixel() {{ return ivec2(gl_FragCoord.xy); }}\nivec2 pixel_count() {{ return ivec2({}, {}); }}",
                               step.extent.width, step.extent.height));
     for (const Instance& instance : step.instances)
-        add_instance(text, instance, part);
+        add_instance(text, instance, flats, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
     for (const Instance& instance : step.instances)
         add_evaluation(text, instance, step, part);
@@ -316,9 +220,11 @@ std::string geometry_vertex_text(const StepSource& step, std::vector<std::string
     text.add_line("out vec3 passgraph_placed;\nout vec3 passgraph_facing;\nout vec2 passgraph_uv;");
     text.add(vertex_accessors(step.reads));
     Renames renames;
-    add_settings(text, instance, renames);
+    add_settings(text, instance, {}, renames);
     text.add_module(instance.pass->body, prefix_of(instance.number), std::move(renames));
     text.add_line("void main()\n{");
+    if (step.reads.elements)
+        text.add_line("    passgraph_cell = passgraph_element[6];");
     text.add_line(fmt::format(
         "    p{}_{}_vertex(passgraph_vertex_position, passgraph_vertex_normal, passgraph_vertex_uv, passgraph_placed, "
         "passgraph_facing, passgraph_uv);",
@@ -326,16 +232,6 @@ std::string geometry_vertex_text(const StepSource& step, std::vector<std::string
     text.add_line("    gl_Position = passgraph_clip_from_view * vec4(passgraph_placed, 1.0);\n}");
     return text.take();
 }
-
-constexpr const char* kFullScreenVertex = R"(#version 330 core
-out vec2 passgraph_uv;
-void main()
-{
-    // One triangle that covers the target; uv is exact at texel centers of extents up to 2^23.
-    passgraph_uv = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
-    gl_Position = vec4(passgraph_uv * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
 
 } // namespace
 
@@ -360,13 +256,14 @@ std::string uniform_name(int instance_number, std::string_view param)
 
 StepText assemble(const StepSource& step)
 {
+    const Flats flats = flats_of(step);
     StepText text;
-    text.vertex = step.kind == PassKind::geometry ? geometry_vertex_text(step, text.sources) : kFullScreenVertex;
-    text.fragment = fragment_text(step, text.sources, step.has_background ? Part::surfaces : Part::whole);
+    text.vertex = step.kind == PassKind::geometry ? geometry_vertex_text(step, text.sources) : full_screen_vertex(flats);
+    text.fragment = fragment_text(step, flats, text.sources, step.has_background ? Part::surfaces : Part::whole);
     if (step.has_background)
-        text.background = fragment_text(step, text.sources, Part::background);
+        text.background = fragment_text(step, flats, text.sources, Part::background);
     if (step.has_skipped_variant)
-        text.when_skipped = fragment_text(step, text.sources, Part::when_skipped);
+        text.when_skipped = fragment_text(step, flats, text.sources, Part::when_skipped);
     return text;
 }
 

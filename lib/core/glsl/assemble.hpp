@@ -66,6 +66,7 @@ struct StepSource {
     Reads reads;
     PassKind kind = PassKind::image;
     Extent extent; ///< of what is drawn
+    int varying_components = 60; ///< that the device has
     bool has_background = false; ///< in two parts: where there are surfaces, and where there are none
     bool discards_black = false; ///< pixels whose stored values all are 0 are not drawn
     bool has_skipped_variant = false; ///< a second text for which inputs are black that may be

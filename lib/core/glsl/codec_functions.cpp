@@ -21,6 +21,12 @@ vec3 passgraph_guard_unit_vector(vec3 v)
     float squared = dot(v, v);
     return squared > 0.0 && squared <= 3.4e38 ? v * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
 }
+// For values of which nothing but octahedral codes is kept: those divide by a length of their own.
+vec3 passgraph_guard_direction(vec3 v)
+{
+    float squared = dot(v, v);
+    return squared > 0.0 && squared <= 3.4e38 ? v : vec3(0.0, 0.0, 1.0);
+}
 
 // Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors": the sphere projected onto
 // an octahedron, its lower half folded outwards. `codes` is the format's largest code; one code is exactly 0.
