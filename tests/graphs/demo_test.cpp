@@ -150,7 +150,7 @@ TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][de
 {
     const auto plan = compile(sample_graph("deferred_demo/bloom.graph.json"));
     REQUIRE(plan);
-    REQUIRE(plan->steps.size() == 9);
+    REQUIRE(plan->steps.size() == 8);
     CHECK(plan->steps[1].name == "lit.share"); // the split-sum table, which reads nothing
     CHECK(plan->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view + bright + bright.not_black");
 }
