@@ -2,11 +2,12 @@
 #include "gl/scene_buffers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
-
 
 namespace passgraph::gl {
 namespace {
@@ -58,7 +59,7 @@ AtlasTextures create_atlas(Upload& upload, Samplers& samplers, const Atlas& atla
     return textures;
 }
 
-std::vector<ElementDraw> sorted_draws(const Scene& scene)
+std::vector<ElementDraw> draws_of(const Scene& scene)
 {
     std::vector<ElementDraw> draws;
     for (size_t i = 0; i < scene.elements.size(); ++i) {
@@ -70,13 +71,30 @@ std::vector<ElementDraw> sorted_draws(const Scene& scene)
         draws.push_back({.is_double_sided = material.is_double_sided,
                          .is_mirrored = is_mirrored(glm::dmat3(element.world_from_model)),
                          .mesh = element.mesh,
-                         .element = static_cast<int>(i)});
+                         .element = static_cast<int>(i),
+                         .box = bounds(scene, element)});
     }
+    return draws;
+}
+
+/// To the box's farthest place, squared.
+double farthest(const Bounds& box, const glm::dvec3& viewer)
+{
+    const glm::dvec3 reach = glm::max(glm::abs(glm::dvec3(box.low) - viewer), glm::abs(glm::dvec3(box.high) - viewer));
+    const double squared = glm::dot(reach, reach);
+    return std::isfinite(squared) ? squared : std::numeric_limits<double>::infinity();
+}
+
+/// What ends first hides what reaches beyond it, like a ground that begins at the viewer's feet. Equally far ones stand next to those
+/// that share their state.
+void sort_front_to_back(std::vector<ElementDraw>& draws, const glm::dvec3& viewer)
+{
+    for (ElementDraw& draw : draws)
+        draw.distance = farthest(draw.box, viewer);
     const auto key = [](const ElementDraw& draw) {
-        return std::tie(draw.is_double_sided, draw.mesh, draw.is_mirrored, draw.element);
+        return std::tie(draw.distance, draw.is_double_sided, draw.mesh, draw.is_mirrored, draw.element);
     };
     std::sort(draws.begin(), draws.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-    return draws;
 }
 
 BufferTexture create_buffer_texture(Upload& upload, size_t texels)
@@ -118,7 +136,7 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
     buffers.atlas = create_atlas(upload, samplers, images.atlas);
     buffers.element_levels = element_levels(scene, images.atlas);
     buffers.places = {.extent = images.atlas.extent, .albedo = {}, .material = {}, .emissive = {}, .cells = std::move(images.atlas.cells)};
-    buffers.draws = sorted_draws(scene);
+    buffers.draws = draws_of(scene);
     buffers.element_rows.resize(scene.elements.size() * glsl::kElementRows); // a plan may be warmed up before any camera
     buffers.facts = images.facts;
     buffers.light_order = std::move(images.lights);
@@ -131,6 +149,7 @@ Result<SceneBuffers> create_scene_buffers(Upload& upload, Samplers& samplers, co
 
 void upload_view(Upload& upload, SceneBuffers& buffers, const Scene& scene, const View& view)
 {
+    sort_front_to_back(buffers.draws, view.position);
     buffers.element_rows = element_rows(scene, buffers.places, view);
     buffers.light_rows = light_texels(scene, buffers.light_order, view);
     fill(upload.driver.gl, buffers.lights, buffers.light_rows);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <passgraph/scene/atlas.hpp>
+#include <passgraph/scene/bounds.hpp>
 #include <passgraph/scene/scene.hpp>
 
 #include "gl/scene_images.hpp"
@@ -41,13 +42,15 @@ struct ElementDraw {
     bool is_mirrored = false;
     int mesh = 0;
     int element = 0;
+    Bounds box;            ///< in the world
+    double distance = 0.0; ///< from the viewer, squared
 };
 
 struct SceneBuffers {
     std::vector<MeshBuffers> meshes;
     AtlasTextures atlas;
     Atlas places;                          ///< without texels: where each material stands in the atlas
-    std::vector<ElementDraw> draws;        ///< neighbours share as much state as possible; the same order every time
+    std::vector<ElementDraw> draws;        ///< from front to back, so that what is hidden is not shaded
     Cube sky;                              ///< empty when the scene has none
     std::vector<glm::vec4> element_rows;   ///< glsl::kElementRows per element, as the camera sees them
     std::vector<glm::vec4> element_levels; ///< glsl::kAtlasLevelCount per element

@@ -7,22 +7,31 @@
 
 namespace passgraph {
 
-Bounds bounds(const Scene& scene)
+Bounds bounds(const Scene& scene, const Element& element)
 {
     Bounds box;
-    for (const Element& element : scene.elements) {
-        const Mesh& mesh = scene.meshes[static_cast<size_t>(element.mesh)];
-        std::vector<bool> is_done(mesh.vertices.size(), false);
-        for (const std::uint32_t index : mesh.indices) {
-            if (is_done[index])
-                continue;
-            is_done[index] = true;
-            const glm::vec3 place(element.world_from_model * glm::dvec4(mesh.vertices[index].position, 1.0f));
-            box.low = glm::min(box.low, place);
-            box.high = glm::max(box.high, place);
-        }
+    const Mesh& mesh = scene.meshes[static_cast<size_t>(element.mesh)];
+    std::vector<bool> is_done(mesh.vertices.size(), false);
+    for (const std::uint32_t index : mesh.indices) {
+        if (is_done[index])
+            continue;
+        is_done[index] = true;
+        const glm::vec3 place(element.world_from_model * glm::dvec4(mesh.vertices[index].position, 1.0f));
+        box.low = glm::min(box.low, place);
+        box.high = glm::max(box.high, place);
     }
     return box;
+}
+
+Bounds bounds(const Scene& scene)
+{
+    Bounds whole;
+    for (const Element& element : scene.elements) {
+        const Bounds box = bounds(scene, element);
+        whole.low = glm::min(whole.low, box.low);
+        whole.high = glm::max(whole.high, box.high);
+    }
+    return whole;
 }
 
 Camera framing_camera(const Bounds& box)

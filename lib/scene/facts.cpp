@@ -19,24 +19,11 @@ constexpr double kSmallestSquared = 1e-4;    // metres^2, as in attenuation.glsl
 // A surface's place in a picture is off by its distance times 1e-7, so a lamp reaches a little further than its radius.
 constexpr double kReach = 1.01;
 
-/// The box of one element in the world.
-Bounds box_of(const Scene& scene, const Element& element)
-{
-    Bounds box;
-    const Mesh& mesh = scene.meshes[static_cast<size_t>(element.mesh)];
-    for (const std::uint32_t index : mesh.indices) {
-        const glm::vec3 place(element.world_from_model * glm::dvec4(mesh.vertices[index].position, 1.0f));
-        box.low = glm::min(box.low, place);
-        box.high = glm::max(box.high, place);
-    }
-    return box;
-}
-
 std::vector<Bounds> boxes_of(const Scene& scene)
 {
     std::vector<Bounds> boxes;
     for (const Element& element : scene.elements)
-        if (const Bounds box = box_of(scene, element); !box.is_empty())
+        if (const Bounds box = bounds(scene, element); !box.is_empty())
             boxes.push_back(box);
     return boxes;
 }

@@ -26,6 +26,10 @@ struct Bounds {
 /// Source   own derivation: the minimum and maximum of the transformed vertices.
 Bounds bounds(const Scene& scene);
 
+/// The same of one element.
+/// Cost     O(its indices).
+Bounds bounds(const Scene& scene, const Element& element);
+
 /// The camera of a scene file that names none: looks along -Z at the box's center, 45 degrees high, the sphere around
 /// the box just inside the vertical field of view, the planes a tenth further out than that sphere.
 ///
