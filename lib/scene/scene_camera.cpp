@@ -81,11 +81,14 @@ Camera read_camera(const Json& json, Errors& errors)
     const bool has_direction = read_direction(fields, json, camera, direction, errors) && is_placed;
     const bool has_up = !vector_of(fields, "up", camera.up, false) || has_length(fields, "up", camera.up, errors);
     if (has_up && has_direction) {
-        const glm::dvec3 up = glm::normalize(glm::dvec3(camera.up));
+        glm::dvec3 up = glm::normalize(glm::dvec3(camera.up));
         if (glm::length(glm::cross(up, direction)) < kLeastAngle) {
+            // Straight down like a map, -Z on top; straight up the same way round.
             const Json* blamed = fields.find("up");
-            out_of_range(blamed ? *blamed : json, "the camera's \"up\" is parallel to where it looks", errors,
-                         "an up across the direction says which way the picture is turned");
+            up = glm::dvec3(0.0, 0.0, direction.y < 0.0 ? -1.0 : 1.0);
+            if (blamed)
+                out_of_range(*blamed, "the camera's \"up\" is parallel to where it looks", errors,
+                             "an up across the direction says which way the picture is turned; without one, straight down has -Z on top");
         }
         camera.up = glm::vec3(up);
     }

@@ -1,6 +1,7 @@
 // A scene file and everything it names, loaded into one scene.
 #include "passgraph/scene/scene_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -40,8 +41,11 @@ public:
         if (is_new)
             known->second = load(entry);
         const Loaded& loaded = known->second;
+        const size_t first = scene_.elements.size();
         Errors errors = gltf::place_elements(scene_, loaded.model, loaded.first_mesh, entry.world_from_model,
                                              entry.name, entry.where.file);
+        for (size_t i = first; i < scene_.elements.size(); ++i)
+            check_reach(scene_.elements[i], errors);
         for (Error& error : errors)
             error.where = entry.where;
         append(errors_, errors);
@@ -52,6 +56,17 @@ private:
         gltf::Model model; ///< only what is needed to place it once more
         int first_mesh = 0;
     };
+
+    /// Lighting squares distances, so places end where a float's squares do.
+    void check_reach(const Element& element, Errors& errors) const
+    {
+        constexpr float kFarthest = 1e18f;
+        const Bounds box = bounds(scene_, element);
+        const glm::vec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
+        if (!box.is_empty() && !(std::max({reach.x, reach.y, reach.z}) <= kFarthest))
+            errors.push_back({"value_out_of_range", fmt::format("`{}` reaches further than {} metres", element.name, kFarthest),
+                              "scale it down, or move it nearer", {}});
+    }
 
     Loaded load(const ElementEntry& entry)
     {

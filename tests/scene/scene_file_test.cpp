@@ -88,6 +88,15 @@ TEST_CASE("a target is looked at from the position", "[scene]")
     CHECK(scene.camera.up == glm::vec3(0, 1, 0));
 }
 
+TEST_CASE("a camera without an up looks straight down like onto a map, and straight up", "[scene]")
+{
+    const Folder folder;
+    for (const auto& [direction, up] : {std::pair{"[0,-3,0]", glm::vec3(0, 0, -1)}, {"[0,0.5,0]", glm::vec3(0, 0, 1)}}) {
+        const Scene scene = load(folder, R"({"passgraph_scene": 1, "camera": {"position": [1,1,1], "direction": )" + std::string(direction) + "}}");
+        CHECK(scene.camera.up == up);
+    }
+}
+
 TEST_CASE("rotation is about x, then the turned y, then the twice turned z", "[scene]")
 {
     const Folder folder;

@@ -54,7 +54,7 @@ TEST_CASE("each mistake of a camera is named", "[scene][errors]")
     check_one(camera_mistakes(kView + ", \"target\": [0,0,0]"), out, "both");
     check_one(camera_mistakes(kView + ", \"up\": [0,0,0]"), out, "has length 0");
     check_one(camera_mistakes(kView + ", \"up\": [0,0,5]"), out, "parallel");
-    check_one(camera_mistakes("\"position\": [0,0,3], \"direction\": [0,-2,0]"), out, "parallel");
+    check_one(camera_mistakes("\"position\": [0,0,3], \"direction\": [0,-2,0], \"up\": [0,1,0]"), out, "parallel");
     check_one(camera_mistakes(kView + ", \"near\": 0"), out, "\"near\" is 0");
     check_one(camera_mistakes(kView + ", \"near\": -1"), out, "\"near\" is -1");
     check_one(camera_mistakes(kView + ", \"near\": 5, \"far\": 5"), out, "is not before its \"far\" plane");
@@ -108,8 +108,10 @@ TEST_CASE("each mistake of an element, a sky and the whole is named", "[scene][e
     check_one(element_mistakes("\"scale\": 0"), out, "\"scale\" is 0");
     check_one(element_mistakes("\"scale\": [1,0,1]"), out, "\"scale\" is 0");
     check_one(element_mistakes("\"scale\": \"big\""), "wrong_type", "scale");
+    check_one(element_mistakes("\"scale\": 1e30"), out, "reaches further than 1e+18 metres");
+    check_one(element_mistakes("\"position\": [0,2e18,0]"), out, "reaches further than 1e+18 metres");
     check_one(element_mistakes("\"rotation\": [0,0,0]"), "unknown_field", "rotation");
-    check_one(element_mistakes("\"position\": [3.4e38,0,0], \"scale\": 3.4e38, \"name\": 3"), "wrong_type", "name");
+    check_one(element_mistakes("\"position\": [9e17,0,0], \"scale\": 1e17, \"name\": 3"), "wrong_type", "name");
     check_one(mistakes("{\"passgraph_scene\": 1, \"elements\": [{}]}"), "field_missing", "model");
     check_one(mistakes("{\"passgraph_scene\": 1, \"elements\": [{\"model\": \"\"}]}"), out, "names no file");
     check_one(mistakes("{\"passgraph_scene\": 1, \"sky\": {}}"), "field_missing", "faces");
@@ -180,18 +182,20 @@ TEST_CASE("an element placed at no finite place is reported at the element", "[s
     CHECK(scene.error()[0].where.line == 2);
 }
 
-TEST_CASE("a scene too large or too small to be framed asks for a camera", "[scene][errors]")
+TEST_CASE("a scene too small to be framed asks for a camera, one too large is none", "[scene][errors]")
 {
     const Folder folder;
     test::ModelBuilder model;
-    const float size = GENERATE(3e38f, 1e-45f);
+    const float size = GENERATE(3e38f, 1.1e18f, 1e-45f);
+    const bool is_large = size > 1.0f;
     model.add_floats({0, 0, 0, size, 0, 0, 0, size, 0}, 3);
     const std::string path = model.write(folder, test::one_mesh("\"attributes\":{\"POSITION\":0}"));
     const std::string elements = "\"elements\": [{\"model\": \"model.gltf\"}]}";
     const auto scene = load_scene(folder.write("s.json", "{\"passgraph_scene\": 1, " + elements));
     REQUIRE_FALSE(scene);
-    check_one(scene.error(), "value_out_of_range", "to be framed");
-    CHECK(load_scene(folder.write("s.json", "{\"passgraph_scene\": 1, \"camera\": {" + kView + "}, " + elements)));
+    check_one(scene.error(), "value_out_of_range", is_large ? "reaches further" : "to be framed");
+    const auto seen = load_scene(folder.write("s.json", "{\"passgraph_scene\": 1, \"camera\": {" + kView + "}, " + elements));
+    CHECK(seen.has_value() != is_large);
 }
 
 TEST_CASE("the least field of view still gives a camera that can be used", "[scene][errors]")
