@@ -109,7 +109,9 @@ private:
             return source;
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
-        source.is_import = options_.import_guards && imports_.contains(wire->from);
+        // A scene's atlas holds albedo and material in codes of [0, 1]: nothing else can come from there.
+        const bool is_coded = image.over == Over::table && info(image.signal).cap == 1.0f;
+        source.is_import = options_.import_guards && imports_.contains(wire->from) && !is_coded;
         source.is_black_when_skipped = condition_.black_inputs.contains(wire->from);
         source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
                                  encoding_.targets_of(wire->from).contains(*draw_.tested_depth);

@@ -77,16 +77,20 @@ bool is_idle(const PassDeclaration& pass, Part part)
            (part == Part::surfaces && pass.only_where == OnlyWhere::no_depth);
 }
 
-/// What a pass is at pixels where it does nothing: the input it names, or 0.
+/// What a pass is at pixels where it does nothing: the input it names, guarded already if it is a value of the same step, or 0.
 void add_idle_values(ProgramText& text, const StepSource& step, const Instance& instance)
 {
     const PassDeclaration& pass = *instance.pass;
     for (size_t i = 0; i < pass.outputs.size(); ++i) {
-        const std::string value = pass.elsewhere.empty()
-                                      ? fmt::format("{}(0.0)", glsl_type(info(instance.signals[i]).components))
-                                      : fmt::format("{}{}(uv)", prefix_of(instance.number), pass.elsewhere);
-        text.add_line(fmt::format("    {} = {};", value_name(instance, i),
-                                  pass.elsewhere.empty() ? value : guarded_output(step, instance, i, value)));
+        const std::string name = value_name(instance, i);
+        if (pass.elsewhere.empty()) {
+            text.add_line(fmt::format("    {} = {}(0.0);", name, glsl_type(info(instance.signals[i]).components)));
+            continue;
+        }
+        const InputSource& source = instance.inputs[static_cast<size_t>(pass.find_input(pass.elsewhere))];
+        const bool is_guarded = source.kind == InputSource::Kind::value && source.signal == instance.signals[i];
+        const std::string value = fmt::format("{}{}(uv)", prefix_of(instance.number), pass.elsewhere);
+        text.add_line(fmt::format("    {} = {};", name, is_guarded ? source.name : guarded_output(step, instance, i, value)));
     }
 }
 
