@@ -55,7 +55,8 @@ void add_step(std::string& text, const Plan& plan, size_t index)
     if (step.depth_slot >= 0)
         text += fmt::format("       depth   {}\n", slot_text(plan, step.depth_slot));
     if (step.tested_depth_slot >= 0)
-        text += fmt::format("       parts   surfaces, and background, by the depth in {}\n",
+        text += fmt::format("       parts   surfaces, and {}, by the depth in {}\n",
+                            step.background.empty() ? "a background that is cleared to black" : "background",
                             slot_text(plan, step.tested_depth_slot));
     if (step.counts >= 0)
         text += fmt::format("       asks    is any pixel of {} not black? (the device answers, the frame goes on)\n",

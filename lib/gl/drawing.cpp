@@ -154,11 +154,11 @@ void clear_to_black(const DrawInputs& inputs, const Plan::Step& step)
         inputs.gl.ClearBufferfv(GL_COLOR, static_cast<GLint>(i), step.targets[i].black.data());
 }
 
-/// One triangle for the whole picture, or one for its surfaces and one for its background.
+/// One triangle for the whole picture, or one for its surfaces and, unless that was cleared, one for its background.
 std::int64_t draw_parts(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects)
 {
     State& state = inputs.state;
-    state.depth(objects.background ? State::Depth::surfaces : State::Depth::unused);
+    state.depth(step.tested_depth_slot >= 0 ? State::Depth::surfaces : State::Depth::unused);
     draw_triangle(inputs);
     if (!objects.background)
         return 1;
@@ -193,7 +193,8 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
     const bool has_variant = objects.when_skipped.has_value();
     // Without inverted conditions there are no variants that know what is black: everybody may look.
     const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
-    if (step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
+    const bool is_background_black = step.tested_depth_slot >= 0 && step.background.empty();
+    if (is_background_black || step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
         clear_to_black(inputs, step);
     std::int64_t draws = 0;
     if (queries.counts != 0)

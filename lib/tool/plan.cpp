@@ -78,7 +78,7 @@ void print_glsl(const Plan& plan)
     for (size_t i = 0; i < plan.steps.size(); ++i) {
         const Plan::Step& step = plan.steps[i];
         for (const auto& [stage, text] : {std::pair{"vertex stage", &step.vertex},
-                                          {step.background.empty() ? "fragment stage" : "fragment stage of surfaces", &step.fragment},
+                                          {step.tested_depth_slot < 0 ? "fragment stage" : "fragment stage of surfaces", &step.fragment},
                                           {"fragment stage of the background", &step.background},
                                           {"fragment stage when skipped", &step.when_skipped}})
             if (!text->empty())

@@ -75,7 +75,8 @@ struct Plan {
         std::vector<Uniform> uniforms;
         std::vector<Target> targets;
         int depth_slot = -1; ///< geometry: the depth attachment; -1 for draws
-        /// A draw in two parts: `fragment` where this depth buffer holds a surface, `background` where it holds none.
+        /// A draw in two parts: `fragment` where this depth buffer holds a surface, `background` where it holds none. Without a
+        /// background the targets are cleared to black before the surfaces are drawn.
         int tested_depth_slot = -1;
         std::string background;
         int counts = -1;     ///< the query that asks whether any pixel of this step is not black; black ones are not drawn

@@ -94,6 +94,20 @@ void add_idle_values(ProgramText& text, const StepSource& step, const Instance& 
     }
 }
 
+/// Every stored value is the 0 of a pass that does nothing in the background.
+bool is_background_black(const StepSource& step)
+{
+    const auto is_zero = [&](const StoredValue& stored) {
+        for (const Instance& instance : step.instances)
+            for (size_t i = 0; i < instance.pass->outputs.size(); ++i)
+                if (value_name(instance, i) == stored.value)
+                    return is_idle(*instance.pass, Part::background) && instance.pass->elsewhere.empty() && stored.codec.packing == Packing::plain;
+        return false;
+    };
+    return std::all_of(step.targets.begin(), step.targets.end(),
+                       [&](const auto& target) { return std::all_of(target.begin(), target.end(), is_zero); });
+}
+
 /// The value of a pass of one output: 0 where its "skip" says so, else what its function returns.
 std::string only_value(const Instance& instance)
 {
@@ -264,7 +278,7 @@ StepText assemble(const StepSource& step)
     StepText text;
     text.vertex = step.kind == PassKind::geometry ? geometry_vertex_text(step, text.sources) : full_screen_vertex(flats);
     text.fragment = fragment_text(step, flats, text.sources, step.has_background ? Part::surfaces : Part::whole);
-    if (step.has_background)
+    if (step.has_background && !is_background_black(step))
         text.background = fragment_text(step, flats, text.sources, Part::background);
     if (step.has_skipped_variant)
         text.when_skipped = fragment_text(step, flats, text.sources, Part::when_skipped);

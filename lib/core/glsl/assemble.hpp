@@ -77,7 +77,7 @@ struct StepSource {
 struct StepText {
     std::string vertex;
     std::string fragment;
-    std::string background;           ///< the fragment stage where there is no surface; "" for draws of one part
+    std::string background;           ///< the fragment stage where there is no surface; "" for draws of one part, or where that is black
     std::string when_skipped;         ///< the fragment stage for which inputs are black that may be; "" without such
     std::vector<std::string> sources; ///< by #line source number
 };
