@@ -182,7 +182,7 @@ Ladder position_source()
         position_rung("from_depth32f", "from a reversed binary32 depth buffer", "depth", "depth32f", 1e-6, "from_depth24"),
         position_rung("stored_rgba32f", "the place, binary32", "position", "rgba32f", 1e-6, "stored_rgba16f"),
     };
-    ladder.rungs.back().is_default = true;
+    ladder.rungs[2].is_default = true; // what the default layout, two_target, does
     return ladder;
 }
 
