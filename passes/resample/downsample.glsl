@@ -1,7 +1,7 @@
 /*{
   "pass": "downsample",
   "summary": "Makes a picture smaller, by half unless a graph scales it: each texel is the mean of those it covers.",
-  "inputs": { "image": { "signal": "color", "filter": "linear" } },
+  "inputs": { "image": { "signal": "color", "filter": "linear", "once": true } },
   "outputs": { "color": { "signal": "color", "size": { "of": "image", "scale": [1, 2] } } },
   "black": ["image"],
   "bound": "image * 1.0001", // weights sum to 1 as far as a filter's rounding goes

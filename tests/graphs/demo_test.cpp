@@ -146,9 +146,16 @@ TEST_CASE("the demo survives the smallest and oddest extents", "[graphs][demo]")
             }
 }
 
-TEST_CASE("the lighting, the sky and the bright pass are one step", "[graphs][demo]")
+TEST_CASE("the lighting, the sky and the bright pass are one step; where nobody else looks, bright is computed where it is averaged", "[graphs][demo]")
 {
-    const auto plan = compile(sample_graph("deferred_demo/bloom.graph.json"));
+    Graph graph = sample_graph("deferred_demo/bloom.graph.json");
+    const auto called = compile(graph);
+    REQUIRE(called);
+    REQUIRE(called->steps.size() == 7);
+    CHECK(called->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view");
+    CHECK(called->steps[3].name == "bright + eighth");
+    graph.output("bright", AnyImage(*graph.find_image("bright")));
+    const auto plan = compile(graph);
     REQUIRE(plan);
     REQUIRE(plan->steps.size() == 8);
     CHECK(plan->steps[1].name == "lit.share"); // the split-sum table, which reads nothing

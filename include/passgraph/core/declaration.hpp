@@ -102,6 +102,7 @@ struct InputPort {
     Over over = Over::image;
     bool has_levels = false;
     bool is_optional = false;
+    bool is_visited_once = false; ///< each texel is looked at about once in all: computing it there costs no more than storing it
     Value default_value{}; ///< of an optional input that is not wired
     Access access{};       ///< derived
     std::optional<Formula> ignored_when{}; ///< then what is wired makes no difference

@@ -24,6 +24,20 @@ public:
         }
     }
 
+    /// A pass whose only reader looks at each of its texels about once need not be stored: it is computed where the reader looks.
+    void call_what_may()
+    {
+        if (!options_.fuse)
+            return;
+        for_each_edge([&](ImageRef image, int reader, int port) {
+            const InputPort& input = graph_.node(reader).pass->inputs[static_cast<size_t>(port)];
+            if (input.is_visited_once && input.wrap == AddressMode::clamp && !input.has_levels && !called_.contains(reader) && may_be_called(image)) {
+                called_.insert(image.node);
+                merge(draw_of(image.node), draw_of(reader));
+            }
+        });
+    }
+
     void merge_what_may()
     {
         if (!options_.fuse)
@@ -53,6 +67,9 @@ public:
             for (const int node : nodes)
                 result.draw_of[static_cast<size_t>(node)] = static_cast<int>(result.draws.size());
             result.draws.push_back({.nodes = nodes, .stored = stored_images(nodes)});
+            for (const int node : nodes)
+                if (called_.contains(node))
+                    result.draws.back().called.insert(node);
         }
         std::set<std::pair<std::string, std::string>> seen;
         for_each_edge([&](ImageRef image, int reader, int) {
@@ -81,6 +98,37 @@ private:
                 if (inputs[port] && draw_of(inputs[port]->from.node) >= 0)
                     visit(inputs[port]->from, reader, static_cast<int>(port));
         }
+    }
+
+    /// Whether a pass may be computed at any place: it looks at textures there, and at nothing that is bound to its own pixel.
+    bool may_be_called(ImageRef image) const
+    {
+        const GraphNode& node = graph_.node(image.node);
+        const PassDeclaration& pass = *node.pass;
+        const TypedImage& typed = graph_.image(image);
+        const bool is_plain = pass.kind == PassKind::image && pass.only_where == OnlyWhere::everywhere && pass.outputs.size() == 1 &&
+                              !info(typed.signal).has_alpha && members(draw_of(image.node)).size() == 1 && !names_pixels(pass.body);
+        if (!is_plain || node.inputs.empty())
+            return false;
+        for (size_t i = 0; i < node.inputs.size(); ++i) {
+            const InputPort& input = pass.inputs[i];
+            if (!node.inputs[i] || input.over != Over::image || input.access.kind != AccessClass::pointwise)
+                return false;
+            const TypedImage& read = graph_.image(node.inputs[i]->from);
+            if (!(read.extent == typed.extent) || info(read.signal).has_alpha)
+                return false;
+        }
+        int readers = 0;
+        for_each_edge([&](ImageRef read, int, int) { readers += read.node == image.node; });
+        const bool is_output = std::any_of(graph_.outputs.begin(), graph_.outputs.end(),
+                                           [&](const GraphOutput& output) { return output.from.node == image.node; });
+        return readers == 1 && !is_output;
+    }
+
+    static bool names_pixels(const GlslText& text)
+    {
+        return text.text.find("pixel(") != std::string::npos || text.text.find("pixel_count(") != std::string::npos ||
+               std::any_of(text.includes.begin(), text.includes.end(), [](const auto& include) { return names_pixels(*include); });
     }
 
     void merge(int a, int b)
@@ -112,6 +160,9 @@ private:
 
     std::string why_not_read(int a, int b) const
     {
+        for (const int node : members(b))
+            if (called_.contains(node))
+                return fmt::format("{} is computed where {} looks", graph_.node(node).name, graph_.node(members(b).back()).name);
         std::string reason;
         for_each_edge([&](ImageRef image, int reader, int port) {
             if (!reason.empty() || draw_of(image.node) != a || draw_of(reader) != b)
@@ -127,11 +178,18 @@ private:
         });
         if (!reason.empty())
             return reason;
-        const Extent from = extent_of(members(a).front());
-        const Extent to = extent_of(members(b).front());
+        const Extent from = extent_of_draw(a);
+        const Extent to = extent_of_draw(b);
         if (!(from == to))
             return fmt::format("extents differ: {}x{} and {}x{}", from.width, from.height, to.width, to.height);
         return "";
+    }
+
+    /// That of whatever is computed at the draw's own pixels.
+    Extent extent_of_draw(int draw) const
+    {
+        const auto own = std::find_if(members(draw).begin(), members(draw).end(), [&](int node) { return !called_.contains(node); });
+        return extent_of(*own);
     }
 
     /// A draw has one extent: outputs of one pass that differ keep it alone.
@@ -220,6 +278,7 @@ private:
     const CompileOptions& options_;
     std::vector<int> draw_of_;
     std::vector<std::vector<int>> members_;
+    std::set<int> called_; ///< nodes that are computed where their reader looks
 };
 
 } // namespace
@@ -242,6 +301,7 @@ std::vector<ExternalRead> external_reads(const TypedGraph& graph, const std::vec
 Draws fuse(const TypedGraph& graph, const Encoding& encoding, const Liveness& live, const CompileOptions& options)
 {
     Fusion fusion(graph, encoding, live, options);
+    fusion.call_what_may();
     fusion.merge_what_may();
     return fusion.result();
 }

@@ -104,6 +104,7 @@ struct Liveness {
 struct Draw {
     std::vector<int> nodes;
     std::vector<ImageRef> stored;
+    std::set<int> called{}; ///< of the nodes: those that are computed where another looks, not at the draw's own pixel
     std::optional<TargetRef> tested_depth{}; ///< set: drawn in two parts, by this depth buffer
 };
 

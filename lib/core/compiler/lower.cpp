@@ -64,6 +64,7 @@ private:
         instance.params = node.params;
         instance.is_static = node.is_static;
         instance.selections = node.selections;
+        instance.is_called = draw_.called.contains(node_index);
         instance.may_skip = may_skip_at_all(options_); // drawing everything, the pass speaks for itself
         instance.is_black = options_.skipping == Skipping::always && options_.specialise && !node.pass->skip_when.empty();
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
@@ -103,9 +104,10 @@ private:
         source.codec = encoding_.of(wire->from).codec;
         source.extent = image.extent;
         if (const auto inside = instance_of_.find(wire->from.node); inside != instance_of_.end()) {
-            source.kind = glsl::InputSource::Kind::value;
-            source.name = glsl::value_name(source_.instances[static_cast<size_t>(inside->second)],
-                                           static_cast<size_t>(wire->from.output));
+            const glsl::Instance& producer = source_.instances[static_cast<size_t>(inside->second)];
+            source.kind = producer.is_called ? glsl::InputSource::Kind::call : glsl::InputSource::Kind::value;
+            source.name = producer.is_called ? glsl::called_name(producer) : glsl::value_name(producer, static_cast<size_t>(wire->from.output));
+            source.filter = filter_of(*node.pass, port, node.selections);
             return source;
         }
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;

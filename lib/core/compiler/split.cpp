@@ -19,7 +19,7 @@ std::optional<TargetRef> tested_depth(const TypedGraph& graph, const Encoding& e
         return std::nullopt;
     const int node = *geometry.begin();
     const auto extent = [&](int of) { return graph.images[static_cast<size_t>(of)].front().extent; };
-    if (!(extent(node) == extent(draw.nodes.front())))
+    if (!(extent(node) == extent(draw.stored.front().node)))
         return std::nullopt;
     return TargetRef{node, encoding.depth_target[static_cast<size_t>(node)]};
 }

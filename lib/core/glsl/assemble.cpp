@@ -156,7 +156,7 @@ void add_evaluation(ProgramText& text, const Instance& instance, const StepSourc
     }
 }
 
-void add_instance(ProgramText& text, const Instance& instance, const Flats& flats, Part part)
+void add_instance(ProgramText& text, const StepSource& step, const Instance& instance, const Flats& flats, Part part)
 {
     Renames renames;
     for (size_t i = 0; i < instance.pass->outputs.size(); ++i)
@@ -167,6 +167,9 @@ void add_instance(ProgramText& text, const Instance& instance, const Flats& flat
     text.add_module(instance.pass->body, prefix, renames);
     if (!instance.pass->skip_when.empty() && instance.may_skip)
         text.add_module(skip_text(*instance.pass), prefix, std::move(renames));
+    if (instance.is_called)
+        text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", glsl_type(info(instance.signals.front()).components),
+                                  called_name(instance), guarded_output(step, instance, 0, only_value(instance))));
 }
 
 /// Leaves a pixel out if all that it would store is 0.
@@ -215,10 +218,11 @@ std::string fragment_text(const StepSource& step, const Flats& flats, std::vecto
     text.add_line(fmt::format("ivec2 pixel() {{ return ivec2(gl_FragCoord.xy); }}\nivec2 pixel_count() {{ return ivec2({}, {}); }}",
                               step.extent.width, step.extent.height));
     for (const Instance& instance : step.instances)
-        add_instance(text, instance, flats, part);
+        add_instance(text, step, instance, flats, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");
     for (const Instance& instance : step.instances)
-        add_evaluation(text, instance, step, part);
+        if (!instance.is_called)
+            add_evaluation(text, instance, step, part);
     if (step.discards_black)
         add_black_discard(text, step);
     for (size_t i = 0; i < step.targets.size(); ++i)
@@ -266,6 +270,8 @@ std::string value_name(const Instance& instance, size_t output)
 {
     return fmt::format("v{}_{}", instance.number, instance.pass->outputs[output].name);
 }
+
+std::string called_name(const Instance& instance) { return fmt::format("p{}_passgraph_value", instance.number); }
 
 std::string uniform_name(int instance_number, std::string_view param)
 {

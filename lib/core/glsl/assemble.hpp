@@ -15,14 +15,15 @@ namespace passgraph::glsl {
 
 /// Where a pass's input gets its values in this step.
 struct InputSource {
-    enum class Kind { value, texture, cube, constant, black };
-    Kind kind = Kind::constant; ///< constant: the port's default
+    enum class Kind { value, call, texture, cube, constant, black };
+    Kind kind = Kind::constant; ///< constant: the port's default; call: computed where it is looked at
     /// A sampler, and the channels in which it holds codes of the image.
     struct Piece {
         std::string sampler;
         std::string channels;
     };
-    std::string name;                 ///< value: the file-scope variable
+    std::string name;                 ///< value: the file-scope variable; call: the function
+    Filter filter = Filter::nearest;  ///< call
     std::vector<Piece> pieces;        ///< texture, cube: in the order of the codes
     Signal signal = Signal::radiance; ///< as wired
     Codec codec;                      ///< texture
@@ -42,6 +43,7 @@ struct Instance {
     std::vector<bool> is_static;     ///< as pass->params
     std::vector<int> selections;     ///< as pass->selections
     bool is_black = false;           ///< its only output is taken to be 0
+    bool is_called = false;          ///< computed where other passes look, by the function `called_name`
     bool may_skip = true;            ///< its only output is 0 where its "skip" says so
 };
 
@@ -83,6 +85,7 @@ struct StepText {
 };
 
 std::string value_name(const Instance& instance, size_t output);
+std::string called_name(const Instance& instance);
 std::string uniform_name(int instance_number, std::string_view param);
 
 StepText assemble(const StepSource& step);

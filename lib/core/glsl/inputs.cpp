@@ -34,6 +34,29 @@ std::string texture_value(const InputSource& source, std::string_view function, 
     return value;
 }
 
+/// What a sampler makes of texels, of values that are computed: clamped to the edge, the four around a place weighed by nearness.
+void add_call_accessor(ProgramText& text, const InputSource& source, std::string_view type, const std::string& name)
+{
+    const auto [width, height] = source.extent;
+    text.add_line(fmt::format("vec2 {}_center(vec2 texel) {{ return (clamp(texel, vec2(0.0), vec2({:#}, {:#})) + 0.5) * vec2({:#}, {:#}); }}", name,
+                              width - 1.0, height - 1.0, 1.0 / width, 1.0 / height));
+    if (source.filter == Filter::nearest) {
+        text.add_line(fmt::format("{0} {1}(vec2 uv) {{ return {2}({1}_center(floor(uv * vec2({3:#}, {4:#})))); }}", type, name, source.name,
+                                  static_cast<double>(width), static_cast<double>(height)));
+        return;
+    }
+    text.add_line(fmt::format(R"({0} {1}(vec2 uv)
+{{
+    vec2 place = uv * vec2({3:#}, {4:#}) - 0.5;
+    vec2 low = floor(place);
+    vec2 share = place - low;
+    vec2 a = {1}_center(low);
+    vec2 b = {1}_center(low + 1.0);
+    return mix(mix({2}(a), {2}(vec2(b.x, a.y)), share.x), mix({2}(vec2(a.x, b.y)), {2}(b), share.x), share.y);
+}})",
+                              type, name, source.name, static_cast<double>(width), static_cast<double>(height)));
+}
+
 void add_image_accessor(ProgramText& text, const InputPort& port, const InputSource& source, const std::string& name,
                         Part part)
 {
@@ -55,7 +78,9 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
         if (is_wide && suffix.empty())
             text.add_line(fmt::format("float {}_alpha(vec2 uv) {{ return ({}).a; }}", name, whole));
     };
-    if (port.has_levels) {
+    if (source.kind == InputSource::Kind::call) {
+        add_call_accessor(text, source, type, name);
+    } else if (port.has_levels) {
         add("", "vec2 uv", "textureLod", "uv, 0.0");
         add("_lod", "vec2 uv, float lod", "textureLod", "uv, lod");
     } else {

@@ -112,6 +112,7 @@ InputPort read_input(const Json::Member& member, Errors& errors)
                        port.over, errors);
     port.has_levels = fields.boolean("levels", false);
     port.is_optional = fields.boolean("optional", false);
+    port.is_visited_once = fields.boolean("once", false);
     if (const Json* value = fields.find("default")) {
         read_default(*value, port, errors);
         if (!port.is_optional)
