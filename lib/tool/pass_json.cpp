@@ -34,6 +34,7 @@ Object input_json(const InputPort& port)
     json["filter"] = port.filter == Filter::linear ? "linear" : "nearest";
     json["wrap"] = kWraps[static_cast<size_t>(port.wrap)];
     json["levels"] = port.has_levels;
+    json["once"] = port.is_visited_once;
     json["optional"] = port.is_optional;
     json["default"] = port.is_optional ? numbers_json(port.default_value, info(port.signal).components) : Object(nullptr);
     json["access"] = to_text(port.access);

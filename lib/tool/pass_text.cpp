@@ -48,7 +48,8 @@ std::string input_line(const InputPort& port)
                        : port.over == Over::table ? " as a table"
                                                   : "",
                        port.filter == Filter::linear ? "linear" : "nearest", kWraps[static_cast<size_t>(port.wrap)],
-                       port.has_levels ? ", with levels" : "", to_text(port.access), port.is_optional ? ", optional" : "");
+                       port.has_levels ? ", with levels" : "", port.is_visited_once ? to_text(port.access) + ", each texel once" : to_text(port.access),
+                       port.is_optional ? ", optional" : "");
 }
 
 std::string output_line(const OutputPort& port)

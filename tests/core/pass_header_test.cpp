@@ -121,6 +121,7 @@ TEST_CASE("ports name a signal, known ways of reading and a size", "[core][pass]
         {input("{ \"signal\": \"color\", \"wrap\": @\"clmp\" }"), {"unknown_item"}, "did you mean `clamp`?"},
         {input("{ \"signal\": \"color\", \"over\": @\"spere\" }"), {"unknown_item"}, "did you mean `sphere`?"},
         {input("{ \"signal\": \"color\", @\"lod\": true }"), {"unknown_field"}, "the fields are"},
+        {input("{ \"signal\": \"color\", \"once\": @1 }"), {"wrong_type"}, ""},
         {input("{ \"signal\": \"color\", \"default\": @0 }"), {"default_unused"}, "\"optional\": true"},
         {input("{ \"signal\": \"color\", \"optional\": true, \"default\": @[0, 0] }"), {"wrong_type"}, ""},
         {output("@\"colour\""), {"unknown_signal"}, "did you mean `color`?"},
@@ -133,7 +134,7 @@ TEST_CASE("ports name a signal, known ways of reading and a size", "[core][pass]
 
 TEST_CASE("names that GLSL or generated code keeps are refused", "[core][pass]")
 {
-    for (const char* name : {"filter", "texture", "vec3", "mix", "textureLod", "xyz", "rgb", "st", "r", "my__name", "gl_x", "passgraph_x", "uv", "pixel", "random", "3d", "a-b"}) {
+    for (const char* name : {"filter", "texture", "vec3", "mix", "textureLod", "xyz", "rgb", "st", "r", "my__name", "gl_x", "passgraph_x", "uv", "pixel", "pixel_count", "random", "3d", "a-b"}) {
         check({{with(std::string("\"params\": { @\"") + name + "\": 1 }"), {"reserved_name"}, "another name"}});
         CHECK(!why_reserved(name).empty());
     }

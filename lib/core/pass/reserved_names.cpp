@@ -49,7 +49,7 @@ constexpr std::string_view kBuiltins =
 
 // What generated code gives every pass.
 constexpr std::string_view kGenerated =
-    "uv pixel main view_ray world_from_view view_from_world camera_position view_distance frame_time frame_delta "
+    "uv pixel pixel_count main view_ray world_from_view view_from_world camera_position view_distance frame_time frame_delta "
     "frame_index frame_is_cut random "
     "light_count light Light lights_have_ends lights_have_cones element_to_view element_normal_to_view element_base_color "
     "element_roughness_metallic element_specular element_emissive element_is_back_facing";
