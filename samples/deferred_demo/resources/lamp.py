@@ -27,7 +27,7 @@ def spline(points, per_span):
 
 def crook_mesh():
     """The tapered, fluted post with a flared foot, collars along the stem and a bead at the end of the curl."""
-    line = spline(CROOK, 6)
+    line = spline(CROOK, 5)
     center = np.column_stack([line, np.zeros(len(line))])
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(center, axis=0), axis=1))])
     part = along / along[-1]

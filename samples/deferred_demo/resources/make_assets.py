@@ -47,7 +47,7 @@ def make_sphere(path):
     model = Glb("sphere")
     lacquer = model.material("crimson lacquer", metallic=0.0, roughness=0.16,
                              color_texture=model.texture(picture(encode_srgb(color)), 88))
-    model.primitive(surfaces.sphere(18.0, 26, 52), lacquer)
+    model.primitive(surfaces.sphere(18.0, 18, 36), lacquer)
     model.save(path)
 
 

@@ -1,4 +1,4 @@
-"""The stone floor: irregular flagstones with rounded edges in sunken mortar, and their texture."""
+"""The stone floor: irregular, slightly domed flagstones in sunken mortar, and their texture."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ CELLS = 20
 LEFT, BACK, SIZE = -160.0, -180.0, 320.0
 PITCH = SIZE / CELLS
 GAP = 0.42    # half the width of a joint
-BEVEL = 0.75  # width of a stone's rounded edge
+DROP = 0.12   # from a stone's middle to its rim
 DEPTH = 0.8   # from a stone's top to the mortar
 
 
@@ -58,30 +58,21 @@ def floor_uv(points):
 
 
 def stone(column, row):
-    """One flagstone: a slightly tilted top and one rounded edge strip that dips below the mortar."""
-    outer = stone_outline(column, row, GAP)
-    middle = outer.mean(axis=0)
-    edge = np.roll(outer, -1, axis=0) - np.roll(outer, 1, axis=0)
+    """One flagstone: slightly tilted and domed, so that its rim catches the light; the texture paints the mortar's edge."""
+    rim = stone_outline(column, row, GAP)
+    middle = rim.mean(axis=0)
+    edge = np.roll(rim, -1, axis=0) - np.roll(rim, 1, axis=0)
     outward = unit(np.stack([edge[:, 1], -edge[:, 0]], axis=1))
-    reach = np.linalg.norm(outer - middle, axis=1, keepdims=True)
-    inner = outer + (middle - outer) * np.minimum(BEVEL / reach, 0.4)
     tilt = (np.array([hashed(column, row, seed=5), hashed(column, row, seed=6)]) - 0.5) * 0.05
     height = -0.15 + 0.3 * (hashed(column, row, seed=7) - 0.5)
-
-    def lift(flat, drop):
-        y = height + (flat - middle) @ tilt * (drop == 0.0) - drop
-        return np.stack([flat[:, 0], y, flat[:, 1]], axis=1)
-
-    count = len(outer)
+    count = len(rim)
     up = unit([-tilt[0], 1.0, -tilt[1]])
     out3 = np.stack([outward[:, 0], np.zeros(count), outward[:, 1]], axis=1)
-    positions = np.concatenate([lift(outer, DEPTH + 0.2), lift(inner, 0.0)])
-    normals = np.concatenate([unit(0.75 * out3 + 0.66 * up), unit(0.16 * out3 + up)])
+    y = height + (rim - middle) @ tilt - DROP
+    positions = np.concatenate([np.stack([rim[:, 0], y, rim[:, 1]], axis=1), [[middle[0], height, middle[1]]]])
+    normals = np.concatenate([unit(0.30 * out3 + up), [up]])
     k = np.arange(count)
-    n = np.roll(k, -1)
-    top = np.arange(1, count - 1)
-    triangles = np.concatenate([np.stack([k, n, count + n], 1), np.stack([k, count + n, count + k], 1),
-                                np.stack([np.full(count - 2, count), count + top, count + top + 1], 1)])
+    triangles = np.stack([k, np.roll(k, -1), np.full(count, count)], 1)
     return drop_degenerate((positions, normals, floor_uv(positions), triangles))
 
 

@@ -98,8 +98,8 @@ def swept(control, mirror, rows, columns, v_from, v_to, part):
 def profile_rows():
     """The profiles with their tessellation and texture rows."""
     rows = []
-    for part, names in (("lid", ((KNOB, 9), (LID, 7))), ("plain", ((SEAT, 1),)),
-                        ("body", ((RIM, 4), (SHOULDER, 9), (BELLY, 8))), ("plain", ((BOTTOM, 3),))):
+    for part, names in (("lid", ((KNOB, 6), (LID, 5))), ("plain", ((SEAT, 1),)),
+                        ("body", ((RIM, 3), (SHOULDER, 6), (BELLY, 6))), ("plain", ((BOTTOM, 2),))):
         low, high = ROWS[part]
         total = sum(arc_length(profile)[0] for profile, _ in names)
         at = low
@@ -127,11 +127,11 @@ def teapot_mesh(scale):
     grids = []
     for profile, rows, v_from, v_to in profile_rows():
         for signs in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-            grids.append(revolved(profile, signs, rows, 11, v_from, v_to))
+            grids.append(revolved(profile, signs, rows, 8, v_from, v_to))
     for patches, part in ((HANDLE, "handle"), (SPOUT, "spout")):
         for index, control in enumerate(patches):
             for mirror in (1.0, -1.0):
-                grids.append(swept(control, mirror, 11, 8, *ROWS[part], index))
+                grids.append(swept(control, mirror, 8, 6, *ROWS[part], index))
     mesh = join([grid(*one) for one in grids] + [spout_cap()])
     # Newell's z is up; a turn about x (not a mirror) makes it y.
     upright = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], dtype=float)
