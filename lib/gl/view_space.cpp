@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <passgraph/scene/camera_matrices.hpp>
+#include <passgraph/scene/facts.hpp>
 
 namespace passgraph::gl {
 namespace {
@@ -154,31 +155,13 @@ glm::vec4 cone_texel(const Light& light, const glm::dmat3& rotation)
     return {glm::vec3(axis * (scale / length)), static_cast<float>(-outer * scale)};
 }
 
-namespace {
-
-bool is_finite(const glm::vec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// What a scene file refuses, a host may still hand over: a light that is nowhere or has no color shines not at all.
-bool is_off(const Light& light)
-{
-    const bool is_near = light.kind != Light::Kind::directional;
-    return !is_finite(light.color) || (is_near ? !is_finite(light.position) || !(light.radius > 0.0f) ||
-                                                     !is_finite(light.direction)
-                                               : !(glm::length(light.direction) > 0.0f) || !is_finite(light.direction));
-}
-
-} // namespace
-
 std::vector<glm::vec4> light_texels(const Scene& scene, const std::vector<int>& order, const View& view)
 {
     std::vector<glm::vec4> texels;
     texels.reserve(order.size() * glsl::kLightTexels);
     for (const int index : order) {
         const Light& light = scene.lights[static_cast<size_t>(index)];
-        if (is_off(light)) {
+        if (!shines(light)) {
             texels.insert(texels.end(), {glm::vec4(0.0f), glm::vec4(0.0f), {0.0f, 0.0f, 0.0f, 1.0f}});
             continue;
         }

@@ -30,17 +30,6 @@ std::vector<Bounds> boxes_of(const Scene& scene)
 
 double largest(const glm::vec3& color) { return static_cast<double>(std::max({color.x, color.y, color.z})); }
 
-/// What a host may hand over beside what a scene file may say: a lamp that is nowhere or has no color is off.
-bool is_on(const Light& light)
-{
-    const auto is_finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-    if (!is_finite(light.color) || !is_finite(light.direction) || !(largest(light.color) > 0.0))
-        return false;
-    if (light.kind == Light::Kind::directional)
-        return glm::length(light.direction) > 0.0f;
-    return is_finite(light.position) && light.radius > 0.0f;
-}
-
 double squared_distance(const Bounds& box, const glm::dvec3& place)
 {
     const glm::dvec3 nearest = glm::clamp(place, glm::dvec3(box.low), glm::dvec3(box.high));
@@ -151,13 +140,23 @@ double brightest_of(const Sky& sky)
 
 } // namespace
 
+bool shines(const Light& light)
+{
+    const auto is_finite = [](const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+    if (!is_finite(light.color) || !is_finite(light.direction) || !(largest(light.color) > 0.0))
+        return false;
+    if (light.kind == Light::Kind::directional)
+        return glm::length(light.direction) > 0.0f;
+    return is_finite(light.position) && light.radius > 0.0f;
+}
+
 std::vector<LampReach> lamp_reaches(const Scene& scene, Extent view)
 {
     const std::vector<Bounds> boxes = boxes_of(scene);
     const Frustum frustum(scene.camera, view);
     std::vector<LampReach> all;
     for (const Light& light : scene.lights) {
-        LampReach reach{.is_on = is_on(light)};
+        LampReach reach{.is_on = shines(light)};
         reach.to_surface = reach.is_on && std::any_of(boxes.begin(), boxes.end(), [&](const Bounds& box) { return reaches(light, box); });
         reach.to_view = reach.to_surface && (light.kind == Light::Kind::directional ||
                                              frustum.may_contain(light.position, static_cast<double>(light.radius) * kReach));

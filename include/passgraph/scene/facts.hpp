@@ -20,9 +20,13 @@ namespace passgraph {
 /// Source   own derivation, beside the code.
 Facts facts_of(const Scene& scene);
 
+/// Whether a lamp gives any light: it has a color, a place or a direction, and a radius, all of them finite in binary32. What a scene file
+/// refuses, a host may still hand over.
+bool shines(const Light& light);
+
 /// What a lamp reaches.
 struct LampReach {
-    bool is_on = false;    ///< has a color, a radius, a direction
+    bool is_on = false;    ///< shines
     bool to_surface = false; ///< and comes near some element; a lamp that does not adds exactly nothing
     bool to_view = false;    ///< and may be seen to, from the scene's camera
 };
