@@ -161,7 +161,7 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     const bool counts = gl::may_count(driver_.gl, objects_.plan);
     const std::vector<bool> answers = objects_.freshness.answers(objects_.plan, stale, counts);
     std::vector<GLuint> conditions(stale.size(), 0);
-    objects_.timing.mark_start(driver_.gl);
+    objects_.timing.mark_start(driver_.gl, state_);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
         if (options_.before_step) {

@@ -185,7 +185,7 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
     if (Errors errors = upload.watch.take(); !errors.empty())
         return tl::unexpected(std::move(errors));
     if (is_timed)
-        objects.timing = Timing(upload.driver, plan.steps.size());
+        objects.timing = Timing(upload, plan.steps.size());
     for (size_t query = 0; query < plan.queries.size(); ++query)
         objects.queries.emplace_back(upload.driver);
     objects.freshness = Freshness(plan);

@@ -3,10 +3,25 @@
 
 namespace passgraph::gl {
 
-Timing::Timing(Driver& driver, size_t steps)
+Timing::Timing(Upload& upload, size_t steps)
 {
     for (size_t i = 0; i < steps + 1; ++i)
-        queries_.emplace_back(driver);
+        queries_.emplace_back(upload.driver);
+    constexpr std::uint8_t kTexel[] = {0, 0, 0, 0};
+    texel_ = create_filled(upload, Format::rgba8, {1, 1}, kTexel);
+    before_ = FramebufferObject(upload.driver);
+    upload.state.draw_framebuffer(before_.id());
+    upload.driver.gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texel_.id(), 0);
+}
+
+void Timing::mark_start(const Functions& gl, State& state)
+{
+    if (queries_.empty())
+        return;
+    constexpr GLfloat kZero[] = {0.0f, 0.0f, 0.0f, 0.0f};
+    state.draw_framebuffer(before_.id());
+    gl.ClearBufferfv(GL_COLOR, 0, kZero);
+    mark(gl, 0);
 }
 
 void Timing::mark(const Functions& gl, size_t index)

@@ -5,7 +5,7 @@
 
 #include <passgraph/core/plan.hpp>
 
-#include "gl/objects.hpp"
+#include "gl/textures.hpp"
 
 namespace passgraph::gl {
 
@@ -16,9 +16,10 @@ namespace passgraph::gl {
 class Timing {
 public:
     Timing() = default;
-    Timing(Driver& driver, size_t steps);
+    Timing(Upload& upload, size_t steps);
 
-    void mark_start(const Functions& gl) { mark(gl, 0); }
+    /// After a clear of a texel of its own: in a frame of one step the mark would be among the draws into the framebuffer that is still bound.
+    void mark_start(const Functions& gl, State& state);
     void mark_end_of(const Functions& gl, size_t step) { mark(gl, step + 1); }
     void frame_done() { has_frame_ = !queries_.empty(); }
 
@@ -29,6 +30,8 @@ private:
     void mark(const Functions& gl, size_t index);
 
     std::vector<QueryObject> queries_;
+    TextureObject texel_;
+    FramebufferObject before_; ///< holds it
     bool has_frame_ = false;
 };
 
