@@ -28,22 +28,14 @@ constexpr Probe kProbes[] = {
   "inputs": { "normals": "position", "halves": "position" }, "outputs": { "density": "position" },
   "params": { "roughness": { "type": "float", "default": 0.045, "range": [0, 1], "static": true } },
   "ladders": { "ggx_form": ["textbook", "difference_of_squares", "lagrange"] } }*/
-#include "distribution.glsl"
+#include "brdf.glsl"
 vec3 ggx_density(vec2 uv)
 {
     vec3 n = normals(uv);
     vec3 h = halves(uv);
     float alpha = roughness * roughness;
-    float cosine = dot(n, h);
-#if ggx_form == ggx_form_textbook
-    float d = ggx_textbook(cosine, alpha * alpha);
-#elif ggx_form == ggx_form_difference_of_squares
-    float d = ggx_distribution(cosine * cosine, (1.0 - cosine) * (1.0 + cosine), 1.0, alpha * alpha);
-#else
-    vec3 across = cross(n, h);
-    float d = ggx_distribution(cosine * cosine, dot(across, across), 1.0, alpha * alpha);
-#endif
-    return vec3(d, 0.0, 0.0);
+    Terms terms = Terms(distribution_of_ggx, fresnel_of_schlick, geometry_smith_correlates, ggx_form, 0, 0);
+    return vec3(density_of(terms, n, h, dot(n, h), 1.0, alpha * alpha), 0.0, 0.0);
 }
 )"},
     {"fresnel_edge", R"(/*{ "pass": "fresnel_edge",
