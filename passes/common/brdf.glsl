@@ -140,7 +140,7 @@ vec3 reflected(Surface surface, vec3 n, vec3 v, vec3 l, Terms terms)
     float n_dot_h = dot(n, h);
     float h_squared = dot(h, h);
     float v_dot_h = 0.5 * sqrt(h_squared);
-    float n_dot_unit_h = h_squared > 0.0 ? n_dot_h * inversesqrt(h_squared) : 0.0;
+    float n_dot_unit_h = n_dot_h * inversesqrt(h_squared); // no number where l = -v: D is 0 there, and V some number
     float lobe = density_of(terms, n, h, n_dot_h, h_squared, surface.alpha_squared) *
                  visibility_of(terms, n_dot_l, surface.n_dot_v, n_dot_unit_h, v_dot_h,
                                hidden_of(terms, n_dot_l, surface.alpha_squared), surface.v_hidden);

@@ -172,3 +172,15 @@ TEST_CASE("the lobe of two directions is the table's, for every model and form",
     for (const int form : {0, 1})
         check(kModels[0], "Terms(0, 0, 0, " + std::to_string(form) + ", 1, 1)", form);
 }
+
+TEST_CASE("the exact Fresnel term takes a cosine beyond its range for the nearest, and none for grazing", "[passes][brdf]")
+{
+    const auto got = evaluate("fresnel_exact(f0, cosine)", {"fresnel.glsl"}, {"f0", "cosine"},
+                              {{0.04f, 0.0f}, {0.04f, -0.5f}, {0.04f, NAN}, {0.04f, -INFINITY}, {0.04f, 1.0f}, {0.04f, 1.5f}, {0.04f, INFINITY}});
+    for (size_t i = 1; i < 4; ++i)
+        CHECK(got[i][0] == got[0][0]);
+    for (size_t i = 5; i < 7; ++i)
+        CHECK(got[i][0] == got[4][0]);
+    CHECK(got[0][0] == Approx(1.0).epsilon(1e-5));
+    CHECK(got[4][0] == Approx(0.04).epsilon(1e-5));
+}
