@@ -1,5 +1,6 @@
 // Calls instead of fetches: passes that read one another at their own pixel become one draw.
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -31,9 +32,12 @@ public:
             return;
         for_each_edge([&](ImageRef image, int reader, int port) {
             const InputPort& input = graph_.node(reader).pass->inputs[static_cast<size_t>(port)];
-            if (input.is_visited_once && input.wrap == AddressMode::clamp && !input.has_levels && !called_.contains(reader) && may_be_called(image)) {
-                called_.insert(image.node);
-                merge(draw_of(image.node), draw_of(reader));
+            const bool may_call = input.is_visited_once && input.over == Over::image && input.wrap == AddressMode::clamp && !input.has_levels;
+            const int a = draw_of(image.node);
+            const int b = draw_of(reader);
+            if (may_call && !called_.contains(reader) && may_be_called(image) && why_not_fit(a, b).empty()) {
+                called_.emplace(image.node, reader);
+                merge(a, b);
             }
         });
     }
@@ -161,8 +165,8 @@ private:
     std::string why_not_read(int a, int b) const
     {
         for (const int node : members(b))
-            if (called_.contains(node))
-                return fmt::format("{} is computed where {} looks", graph_.node(node).name, graph_.node(members(b).back()).name);
+            if (const auto caller = called_.find(node); caller != called_.end())
+                return fmt::format("{} is computed where {} looks", graph_.node(node).name, graph_.node(caller->second).name);
         std::string reason;
         for_each_edge([&](ImageRef image, int reader, int port) {
             if (!reason.empty() || draw_of(image.node) != a || draw_of(reader) != b)
@@ -278,7 +282,7 @@ private:
     const CompileOptions& options_;
     std::vector<int> draw_of_;
     std::vector<std::vector<int>> members_;
-    std::set<int> called_; ///< nodes that are computed where their reader looks
+    std::map<int, int> called_; ///< nodes that are computed where their reader looks, and that reader
 };
 
 } // namespace
