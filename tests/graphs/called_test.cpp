@@ -59,6 +59,9 @@ TEST_CASE("a pass is computed where its reader looks only if nobody else needs i
     using Names = std::vector<std::string>;
     CHECK(names_of(smaller("[1, 2]")) == Names{"bright + small"});
     CHECK(names_of(smaller("[1, 2]"), {.fuse = false}) == Names{"bright", "small"});
+    CompileOptions narrow;
+    narrow.device.max_texture_units = 1; // none beside the lights'
+    CHECK(names_of(smaller("[1, 2]"), narrow) == Names{"bright", "small"});
     CHECK(names_of(smaller("[1, 2]", "", R"(, "bright": "bright")")) == Names{"bright", "small"});
     CHECK(names_of(smaller("[1, 2]", R"(, "other": { "pass": "vignette", "inputs": { "image": "bright" } })", R"(, "other": "other")")) ==
           Names{"bright + other", "small"});
