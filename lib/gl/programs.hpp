@@ -27,6 +27,7 @@ struct SceneUnits {
     int atlas_material = -1;
     int atlas_emissive = -1;
 };
+inline constexpr int kSceneUnits = 4;
 
 struct Program {
     std::shared_ptr<LinkedProgram> linked;

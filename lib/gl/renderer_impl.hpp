@@ -94,17 +94,21 @@ struct Renderer::Impl::Call {
     gl::ErrorWatch watch;
     gl::Upload upload;
 
-    explicit Call(Impl& impl) : guard(make_guard(impl)), watch(impl.driver_),
+    explicit Call(Impl& impl) : Call(impl, impl.objects_.units) {}
+
+    /// How many texture units it touches at most.
+    Call(Impl& impl, int units)
+        : guard(make_guard(impl, units)), watch(impl.driver_),
           upload{impl.driver_, impl.state_, watch, impl.options_.scrubs_imports, impl.options_.is_poisoned}
     {
         impl.state_.reset();
     }
 
-    static std::optional<gl::StateGuard> make_guard(const Impl& impl)
+    static std::optional<gl::StateGuard> make_guard(const Impl& impl, int units)
     {
         if (!impl.options_.restores_state)
             return std::nullopt;
-        return std::optional<gl::StateGuard>(std::in_place, impl.driver_, impl.objects_.units);
+        return std::optional<gl::StateGuard>(std::in_place, impl.driver_, units);
     }
 };
 

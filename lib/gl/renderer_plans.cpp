@@ -59,10 +59,11 @@ Result<void> Renderer::Impl::advance(PreparedPlan::Impl& prepared)
 {
     if (prepared.objects.is_complete())
         return {};
-    Call call(*this);
-    prepared.imports.borrow(*imports_); // the host may have imported others meanwhile
     const size_t next = prepared.objects.steps.size();
     const Plan::Step& step = prepared.objects.plan.steps[next];
+    const int units = std::min(static_cast<int>(step.reads.size()) + gl::kSceneUnits, driver_.limits.texture_units);
+    Call call(*this, std::max(objects_.units, units));
+    prepared.imports.borrow(*imports_); // the host may have imported others meanwhile
     Errors errors = gl::add_step_objects(call.upload, {samplers_, programs_}, prepared.objects);
     const bool has_scene = scene_buffers_ || (step.kind != Plan::Step::Kind::geometry && !step.host.lights);
     if (errors.empty() && has_scene) {

@@ -260,6 +260,28 @@ TEST_CASE("the host's state comes back after every call when asked for", "[gl][s
     CHECK(gl_function<PFNGLGETERRORPROC>("glGetError")() == GL_NO_ERROR);
 }
 
+TEST_CASE("a plan that is prepared uses more of the host's texture units than the one that runs, and gives them back", "[gl][state]")
+{
+    const DirtyHost dirty;
+    const std::vector<GLint> before = snapshot();
+    {
+        Renderer renderer = make_renderer(constant_plan({2, 2}), {.restores_state = true});
+        PlanBuilder builder({2, 2});
+        const int first = builder.slot(Format::rgba8, "first");
+        const int second = builder.slot(Format::rgba8, "second");
+        const int sum = builder.slot(Format::rgba8, "sum");
+        builder.draw("sum", "uniform sampler2D a;\nuniform sampler2D b;\nlayout(location = 0) out vec4 c;\n"
+                            "void main() { c = texture(a, uv) + texture(b, uv); }\n", {sum})
+            .reads = {read_slot(first, "a"), read_slot(second, "b")};
+        Result<PreparedPlan> prepared = renderer.prepare(builder.plan);
+        REQUIRE(prepared);
+        require_ok(renderer.advance(*prepared));
+        CHECK(prepared->is_ready());
+        CHECK(snapshot() == before);
+    }
+    CHECK(snapshot() == before);
+}
+
 TEST_CASE("steps that share state do not set it again", "[gl][state]")
 {
     const auto chain = [](int length) {
