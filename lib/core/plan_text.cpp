@@ -33,10 +33,8 @@ int redrawn_steps(const Plan& plan, size_t changed)
                 return read.source == Plan::Read::Source::slot && is_new[static_cast<size_t>(read.index)];
             });
         count += is_redrawn;
-        for (const Plan::Target& target : step.targets)
-            is_new[static_cast<size_t>(target.slot)] = is_redrawn;
-        if (step.depth_slot >= 0)
-            is_new[static_cast<size_t>(step.depth_slot)] = is_redrawn;
+        for (const int slot : step.written_slots())
+            is_new[static_cast<size_t>(slot)] = is_redrawn;
     }
     return count;
 }
@@ -84,16 +82,6 @@ std::string quoted(std::string_view text)
 }
 
 } // namespace
-
-std::string why_skipped(const Plan& plan, std::size_t step, bool was_skipped)
-{
-    const Plan::Step& row = plan.steps[step];
-    if (!was_skipped)
-        return "";
-    return fmt::format("{}: every pixel of {} is black",
-                       row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
-                       images_of(plan, row.skipped_by));
-}
 
 std::string to_text(const Plan& plan)
 {
@@ -154,11 +142,7 @@ std::string to_dot(const Plan& plan)
                 continue;
             }
             for (size_t writer = reader; writer-- > 0;) {
-                const auto& targets = plan.steps[writer].targets;
-                const bool writes = plan.steps[writer].depth_slot == read.index ||
-                                    std::any_of(targets.begin(), targets.end(),
-                                                [&](const auto& target) { return target.slot == read.index; });
-                if (!writes)
+                if (!plan.steps[writer].writes(read.index))
                     continue;
                 text += fmt::format("  step{} -> step{} [label={}];\n", writer, reader, quoted(read.image));
                 break;
@@ -168,9 +152,7 @@ std::string to_dot(const Plan& plan)
     for (size_t i = 0; i < plan.outputs.size(); ++i) {
         text += fmt::format("  output{} [label={}, shape=ellipse];\n", i, quoted(plan.outputs[i].name));
         for (size_t writer = plan.steps.size(); writer-- > 0;) {
-            const auto& targets = plan.steps[writer].targets;
-            if (std::none_of(targets.begin(), targets.end(),
-                             [&](const auto& target) { return target.slot == plan.outputs[i].index; }))
+            if (!plan.steps[writer].writes(plan.outputs[i].index))
                 continue;
             text += fmt::format("  step{} -> output{};\n", writer, i);
             break;

@@ -7,28 +7,11 @@
 namespace passgraph::gl {
 namespace {
 
-/// The slots a step draws into.
-std::vector<int> slots_of(const Plan::Step& step)
-{
-    std::vector<int> slots;
-    for (const Plan::Target& target : step.targets)
-        slots.push_back(target.slot);
-    if (step.depth_slot >= 0)
-        slots.push_back(step.depth_slot);
-    return slots;
-}
-
-bool draws_into(const Plan::Step& step, int slot)
-{
-    const std::vector<int> slots = slots_of(step);
-    return std::find(slots.begin(), slots.end(), slot) != slots.end();
-}
-
 /// The last step before `reader` that draws into the slot; -1: none.
 int producer_of(const Plan& plan, int slot, size_t reader)
 {
     for (size_t i = reader; i-- > 0;)
-        if (draws_into(plan.steps[i], slot))
+        if (plan.steps[i].writes(slot))
             return static_cast<int>(i);
     return -1;
 }
@@ -73,7 +56,7 @@ std::uint64_t content_of(const Plan& plan, const Plan::Step& step)
     add(step.skipped_by >= 0 && step.when_skipped.empty() && !step.is_cleared);
     add(plan.extent.width); // the camera's picture
     add(plan.extent.height);
-    for (const int slot : slots_of(step)) {
+    for (const int slot : step.written_slots()) {
         const Plan::Slot& row = plan.slots[static_cast<size_t>(slot)];
         add(row.format);
         add(row.extent.width);
@@ -99,7 +82,7 @@ std::uint64_t image_of(std::uint64_t step, size_t position) { return mixed(step,
 /// Which of the slots of its producer a read means.
 size_t position_of(const Plan::Step& producer, int slot)
 {
-    const std::vector<int> slots = slots_of(producer);
+    const std::vector<int> slots = producer.written_slots();
     return static_cast<size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
 }
 
@@ -141,7 +124,7 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
     const size_t count = plan.steps.size();
     find_wanted(plan, versions);
     const auto holds_it = [&](size_t i) {
-        const std::vector<int> slots = slots_of(plan.steps[i]);
+        const std::vector<int> slots = plan.steps[i].written_slots();
         bool holds = true;
         for (size_t k = 0; k < slots.size(); ++k)
             holds = holds && held_[static_cast<size_t>(slots[k])] == image_of(wanted_[i], k);
@@ -166,7 +149,7 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
                 const int slot = plan.steps[i].reads[r].index;
                 bool is_lost = !holds_it(producer);
                 for (size_t other = 0; other < i; ++other)
-                    is_lost = is_lost || (runs[other] && draws_into(plan.steps[other], slot));
+                    is_lost = is_lost || (runs[other] && plan.steps[other].writes(slot));
                 if (is_lost)
                     runs[producer] = is_changed = true;
             }
@@ -184,7 +167,7 @@ std::vector<bool> Freshness::stale(const Plan& plan, const Versions& versions, b
         for (const Plan::Output& output : plan.outputs) {
             const int producer = output.source == Plan::Read::Source::slot ? producer_of(plan, output.index, count) : -1;
             for (size_t other = 0; producer >= 0 && other < count; ++other)
-                if (runs[other] && !runs[static_cast<size_t>(producer)] && draws_into(plan.steps[other], output.index))
+                if (runs[other] && !runs[static_cast<size_t>(producer)] && plan.steps[other].writes(output.index))
                     runs[static_cast<size_t>(producer)] = is_changed = true;
         }
     }
@@ -207,7 +190,7 @@ void Freshness::have_run(const Plan& plan, const std::vector<bool>& ran, bool co
         if (const auto step = static_cast<size_t>(plan.queries[query].step); ran[step])
             counted_[query] = counted ? wanted_[step] : 0;
     for (size_t i = 0; i < plan.steps.size(); ++i)
-        if (const std::vector<int> slots = slots_of(plan.steps[i]); ran[i])
+        if (const std::vector<int> slots = plan.steps[i].written_slots(); ran[i])
             for (size_t k = 0; k < slots.size(); ++k)
                 held_[static_cast<size_t>(slots[k])] = image_of(wanted_[i], k);
 }
@@ -217,7 +200,7 @@ Freshness::CarriedOver Freshness::carry_over(const Plan& plan, const Versions& v
     CarriedOver carried;
     find_wanted(plan, versions);
     for (size_t i = 0; i < plan.steps.size(); ++i) {
-        const std::vector<int> slots = slots_of(plan.steps[i]);
+        const std::vector<int> slots = plan.steps[i].written_slots();
         for (size_t k = 0; k < slots.size(); ++k) {
             const std::uint64_t image = image_of(wanted_[i], k);
             const auto to = static_cast<size_t>(slots[k]);

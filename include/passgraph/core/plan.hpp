@@ -89,6 +89,9 @@ struct Plan {
         std::string vertex;  ///< complete GLSL 3.30 sources
         std::string fragment;
         std::vector<std::string> sources; ///< file of each `#line` source number, for messages
+
+        std::vector<int> written_slots() const; ///< of the targets, then of the depth
+        bool writes(int slot) const;
     };
 
     struct Output {
