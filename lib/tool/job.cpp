@@ -123,12 +123,15 @@ void find_missing(const Job& job, const SourceOptions& options, Errors& errors)
         errors.push_back({.code = "scene_missing", .message = "the graph draws a scene, and none is given", .hint = "add --scene FILE"});
 }
 
-Result<Job> prepare_with(Graph graph, const SourceOptions& options, const CompilerOptions& compiler, bool draws)
+} // namespace
+
+Result<Job> prepare_for(const Device& device, Graph graph, const SourceOptions& options, const CompilerOptions& compiler, bool draws)
 {
     Errors errors;
     Job job{std::move(graph), {}, {}, {}};
     job.sources = load_sources(job.graph, options, errors);
     job.options.extent = job.sources.extent;
+    job.options.device = device;
     if (job.sources.scene)
         job.options.facts = facts_of(*job.sources.scene);
     job.options.picture_extents = job.sources.picture_extents;
@@ -146,16 +149,9 @@ Result<Job> prepare_with(Graph graph, const SourceOptions& options, const Compil
     return job;
 }
 
-} // namespace
-
 Result<Job> prepare(Graph graph, const SourceOptions& sources, const CompilerOptions& compiler)
 {
-    return prepare_with(std::move(graph), sources, compiler, true);
-}
-
-Result<Job> prepare_plan(Graph graph, const SourceOptions& sources, const CompilerOptions& compiler)
-{
-    return prepare_with(std::move(graph), sources, compiler, false);
+    return prepare_for(CompileOptions{}.device, std::move(graph), sources, compiler, true);
 }
 
 Result<Renderer> create_renderer(const Job& job, const CompileOptions& options, const RendererOptions& device)

@@ -27,7 +27,7 @@ struct Job {
     Graph graph;
     Sources sources;
     CompileOptions options;
-    Plan plan; ///< for any device; `create_renderer` makes the one that is run
+    Plan plan; ///< for options.device; `create_renderer` makes the one that is run
 };
 
 /// Loads what the options name and compiles the graph.
@@ -36,8 +36,8 @@ struct Job {
 /// Errors   those of the graph; unknown_input, duplicate_name, input_missing, scene_missing; those of the files. All at once.
 Result<Job> prepare(Graph graph, const SourceOptions& sources, const CompilerOptions& compiler);
 
-/// As `prepare`, for those who only look at the plan: inputs may be missing.
-Result<Job> prepare_plan(Graph graph, const SourceOptions& sources, const CompilerOptions& compiler);
+/// As `prepare`, with the plan for a device; inputs may be missing unless it `draws`.
+Result<Job> prepare_for(const Device& device, Graph graph, const SourceOptions& sources, const CompilerOptions& compiler, bool draws);
 
 /// A renderer with the plan for its device, and with all the job's sources uploaded. The job must outlive it.
 Result<Renderer> create_renderer(const Job& job, const CompileOptions& options, const RendererOptions& device);

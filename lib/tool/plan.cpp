@@ -30,17 +30,14 @@ double median(std::vector<double> values)
 }
 
 /// What leaving out saves here: this plan and one that draws everything, frame by frame in turn.
-Result<void> print_saving(const Job& job, const DeviceOptions& device)
+Result<void> print_saving(const Job& job, const Context& context)
 {
-    const Result<std::unique_ptr<Context>> context = open_context(device);
-    if (!context)
-        return tl::unexpected(context.error());
     const Progress progress("measuring what is saved");
     CompileOptions everything = job.options;
     everything.specialise = false;
     std::vector<Renderer> renderers;
     for (const CompileOptions& options : {job.options, everything}) {
-        Result<Renderer> renderer = create_renderer(job, options, {.loader = (*context)->loader(), .is_timed = true});
+        Result<Renderer> renderer = create_renderer(job, options, {.loader = context.loader(), .is_timed = true});
         if (!renderer)
             return tl::unexpected(renderer.error());
         renderers.push_back(std::move(*renderer));
@@ -96,8 +93,17 @@ Result<void> plan(const PlanOptions& options)
     Result<Graph> graph = open_graph(options.graph, *library);
     if (!graph)
         return tl::unexpected(graph.error());
-    const Result<Job> job = options.measures ? prepare(std::move(*graph), options.sources, options.compiler)
-                                             : prepare_plan(std::move(*graph), options.sources, options.compiler);
+    std::unique_ptr<Context> context;
+    Device device = CompileOptions{}.device;
+    if (options.measures || !options.device.context.empty()) {
+        Result<std::unique_ptr<Context>> opened = open_context(options.device);
+        const Result<Device> limits = opened ? query_device((*opened)->loader()) : tl::unexpected(opened.error());
+        if (!limits)
+            return tl::unexpected(limits.error());
+        context = std::move(*opened);
+        device = *limits;
+    }
+    const Result<Job> job = prepare_for(device, std::move(*graph), options.sources, options.compiler, options.measures);
     if (!job)
         return tl::unexpected(job.error());
     if (options.format == "json") {
@@ -107,7 +113,7 @@ Result<void> plan(const PlanOptions& options)
     fmt::print("{}", options.format == "dot" ? to_dot(job->plan) : to_text(job->plan));
     if (options.with_glsl)
         print_glsl(job->plan);
-    return options.measures ? print_saving(*job, options.device) : Result<void>{};
+    return options.measures ? print_saving(*job, *context) : Result<void>{};
 }
 
 } // namespace
@@ -115,7 +121,7 @@ Result<void> plan(const PlanOptions& options)
 void add_plan(CommandLine& line)
 {
     const auto options = std::make_shared<PlanOptions>();
-    Command command = line.add_command("plan", "Shows a graph's compiled plan; makes no context unless it measures");
+    Command command = line.add_command("plan", "Shows a graph's compiled plan: for any device, or with --context or --measure for that one");
     add_to(command, options->graph);
     add_to(command, options->sources);
     command.add_option("--format", options->format, "text, json, or dot for Graphviz").one_of({"text", "json", "dot"});
