@@ -34,11 +34,20 @@ bool is_zero(const Picture& picture, Texel texel)
     return true;
 }
 
-bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range)
+double largest_of(const Picture& picture)
+{
+    double largest = 0.0;
+    for (const float value : picture.texels)
+        if (std::isfinite(value))
+            largest = std::max(largest, std::abs(static_cast<double>(value)));
+    return largest;
+}
+
+bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range, double size)
 {
     constexpr double kUnitLength = 1e-3; // as the signal table says
     double squared = 0.0;
-    const double slack = kRounding * std::max(std::abs(range.lowest), std::abs(range.highest));
+    const double slack = kRounding * std::min(size, std::max(std::abs(range.lowest), std::abs(range.highest)));
     for (int c = 0; c < picture.channels; ++c) {
         const double value = static_cast<double>(picture.at(texel.x, texel.y, c));
         squared += value * value;

@@ -32,8 +32,10 @@ std::optional<Texel> find_texel(const Picture& picture, const IsBad& is_bad)
 bool is_finite(const Picture& picture, Texel texel);
 bool is_all_finite(const Outputs& outputs);
 bool is_zero(const Picture& picture, Texel texel);
-/// Inside the range, up to the rounding of values.hpp; a normal has length 1 within 1e-3. False for NaN.
-bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range);
+/// Inside the range, up to the rounding of values.hpp of numbers of this size; a normal has length 1 within 1e-3. False for NaN.
+bool is_in_range(const Picture& picture, Texel texel, Signal signal, const Contract::Span& range, double size);
+/// The largest finite component, sign apart.
+double largest_of(const Picture& picture);
 /// Bit for bit.
 bool is_same(const Picture& a, const Picture& b, Texel texel);
 

@@ -1,4 +1,4 @@
-// What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound".
+// What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound", "black", "skip".
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -54,6 +54,11 @@ public:
         for (const OutputPort& port : pass_.outputs)
             if (port.bound)
                 check_bound(port);
+        for (size_t output = 0; output < pass_.outputs.size(); ++output)
+            if (!pass_.black_inputs(static_cast<int>(output)).empty())
+                check_black(static_cast<int>(output));
+        if (!pass_.skip_when.empty())
+            check_skip();
     }
 
 private:
@@ -192,6 +197,94 @@ private:
                                            "correct \"bound\", or the pass: what is bounded to nothing is left out"});
                     return;
                 }
+        }
+    }
+
+    /// Every set of parameters, and every item of each selection.
+    std::vector<Settings> all_settings() const
+    {
+        std::vector<Settings> all = parameter_variants(pass_);
+        const std::vector<Settings> selections = selection_variants(pass_);
+        all.insert(all.end(), selections.begin(), selections.end());
+        return all;
+    }
+
+    /// The first component that is not exactly 0 where `is_meant` says so; alpha is no light.
+    template <class IsMeant> void judge_black(const Picture& out, const StageOptions& options, const std::string& rule, const std::string& fed,
+                                              const std::string& hint, const IsMeant& is_meant)
+    {
+        subject_.findings.count_run(rule);
+        for (size_t i = 0; i < out.texels.size(); ++i) {
+            const auto channel = static_cast<int>(i % static_cast<size_t>(out.channels));
+            if (channel == 3 || out.texels[i] == 0.0f || !is_meant(i / static_cast<size_t>(out.channels)))
+                continue;
+            subject_.findings.add({rule, to_text(options.settings), fed, place_of(out, i), fmt::format("{:.9g}", out.texels[i]), "exactly 0", hint});
+            return;
+        }
+    }
+
+    /// Inputs that are 0 everywhere make the output 0, whatever the others are.
+    void check_black(int output)
+    {
+        const OutputPort& port = pass_.outputs[static_cast<size_t>(output)];
+        for (const Settings& settings : all_settings()) {
+            StageOptions options;
+            options.settings = settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            if (!stage)
+                return;
+            Feed feed = feed_of(options, "");
+            std::vector<std::string> names;
+            for (const int input : pass_.black_inputs(output)) {
+                names.push_back(pass_.inputs[static_cast<size_t>(input)].name);
+                std::fill(feed.at(names.back()).texels.begin(), feed.at(names.back()).texels.end(), 0.0f);
+            }
+            if (const auto outputs = draw(*stage, feed, options))
+                judge_black(outputs->at(port.name), options, "black", fmt::format("random values, `{}` black", fmt::join(names, "` and `")),
+                            "correct \"black\", or the pass: a compiler does not draw what black makes black", [](size_t) { return true; });
+        }
+    }
+
+    /// The pass's own condition as a pass of the same inputs.
+    PassPtr condition_pass() const
+    {
+        PassDeclaration pass = pass_;
+        pass.name = "passgraph_condition";
+        OutputPort mask;
+        mask.name = "mask";
+        mask.signal = Signal::mask;
+        mask.size_of = pass_.outputs.front().size_of;
+        mask.scale = pass_.outputs.front().scale;
+        mask.texels = pass_.outputs.front().texels;
+        pass.outputs = {mask};
+        pass.skip_when.clear();
+        pass.identities.clear();
+        pass.black.clear();
+        pass.body.text += fmt::format("\n#line {0}\nfloat {1}(vec2 uv) {{ return ({2}\n#line {0}\n) ? 1.0 : 0.0; }}\n", pass_.skip_where.line,
+                                      pass.name, pass_.skip_when);
+        pass.body.globals.push_back(pass.name);
+        return std::make_shared<const PassDeclaration>(std::move(pass));
+    }
+
+    /// Where the condition holds, the pass by itself is 0.
+    void check_skip()
+    {
+        PassLibrary library = subject_.library;
+        library.add(condition_pass());
+        const Subject condition{library, library.find("passgraph_condition"), subject_.loader, subject_.findings};
+        for (const Settings& settings : all_settings()) {
+            StageOptions options;
+            options.settings = settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            std::optional<Stage> asked = open_stage(condition, options);
+            if (!stage || !asked)
+                return;
+            const Feed feed = feed_of(options, "");
+            const auto outputs = draw(*stage, feed, options);
+            const auto holds = draw(*asked, feed, options);
+            if (outputs && holds)
+                judge_black(outputs->begin()->second, options, "skip", "random values", "correct \"skip\", or the pass: where the condition holds nothing is drawn",
+                            [&](size_t texel) { return holds->begin()->second.texels[texel] != 0.0f; });
         }
     }
 

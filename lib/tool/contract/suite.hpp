@@ -31,6 +31,8 @@ struct Subject {
 ///   identity      where the header's identity holds, the pass is its input
 ///   ignores       where an input is ignored, it might as well be black
 ///   bound         no output is larger than the header says
+///   black         an output is 0 where the inputs are that the header says
+///   skip          ... and where its condition holds
 ///   law_NAME      a law of the contract
 ///   param_range   parameters are taken up to the ends of their ranges, and refused beyond
 ///   bound_as_guard  no min, max or clamp stands there for NaN alone, which it does not stop (where no contract is stated)

@@ -42,7 +42,7 @@ public:
                 const Feed feed = fill(filling);
                 if (const auto outputs = run_stage(subject_, *stage, feed, scene, options_)) {
                     judge_finite(*outputs, feed, scene, std::string(name(filling)));
-                    judge_range(*outputs, "range", std::string(name(filling)));
+                    judge_range(*outputs, feed, "range", std::string(name(filling)));
                 }
             }
         }
@@ -109,18 +109,22 @@ private:
         return outputs && !is_all_finite(*outputs);
     }
 
-    void judge_range(const Outputs& outputs, const std::string& check, const std::string& fed)
+    void judge_range(const Outputs& outputs, const Feed& feed, const std::string& check, const std::string& fed)
     {
         subject_.findings.count_run(check);
+        double largest_fed = 1.0; // constants of a pass are no larger
+        for (const auto& [port, picture] : feed)
+            largest_fed = std::max(largest_fed, largest_of(picture));
         for (const OutputPort& port : subject_.pass->outputs) {
             const Picture& picture = outputs.at(port.name);
             const Contract::Span range = range_of(port);
+            const double size = std::max(largest_fed, largest_of(picture));
             if (port.signal == Signal::depth && subject_.pass->kind == PassKind::geometry)
                 continue; // the rasteriser's own
             const bool is_empty_ok = subject_.pass->kind == PassKind::geometry; // a pixel without geometry is 0
             const auto bad = find_texel(picture, [&](Texel texel) {
                 const bool is_empty = is_empty_ok && is_zero(picture, texel);
-                return !is_empty && (check == "replaced" || is_finite(picture, texel)) && !is_in_range(picture, texel, signal(port.signal), range);
+                return !is_empty && (check == "replaced" || is_finite(picture, texel)) && !is_in_range(picture, texel, signal(port.signal), range, size);
             });
             if (!bad)
                 continue;
@@ -173,9 +177,9 @@ private:
                     return;
                 if (is_in_domain(injection.value, signal(port.signal), domain)) {
                     judge_finite(*outputs, feed, scene, fed);
-                    judge_range(*outputs, "range", fed);
+                    judge_range(*outputs, feed, "range", fed);
                 } else if (subject_.contract().non_finite == Contract::NonFinite::replaced) {
-                    judge_range(*outputs, "replaced", fed);
+                    judge_range(*outputs, feed, "replaced", fed);
                 }
                 judge_contained(*before, *outputs, port, texels[i], *reach, fed);
             }
@@ -245,7 +249,7 @@ private:
             const Picture& picture = outputs.at(output.name);
             const Contract::Span domain = span_of({}, output.name, signal(output.signal));
             const auto bad = find_texel(picture, [&](Texel texel) {
-                return !is_in_range(picture, texel, signal(output.signal), domain) || !is_finite(picture, texel);
+                return !is_in_range(picture, texel, signal(output.signal), domain, HUGE_VAL) || !is_finite(picture, texel);
             });
             if (bad) {
                 report("guarded", fed, place_text(output.name, *bad, picture.extent), texel_text(picture, *bad),
@@ -287,7 +291,7 @@ void check_layouts(const Subject& subject)
             const Picture& picture = outputs->at(port.name);
             const Contract::Span domain = span_of({}, port.name, port.signal);
             const auto bad = find_texel(picture, [&](Texel texel) {
-                return !is_finite(picture, texel) || (port.signal != Signal::normal && !is_in_range(picture, texel, port.signal, domain));
+                return !is_finite(picture, texel) || (port.signal != Signal::normal && !is_in_range(picture, texel, port.signal, domain, HUGE_VAL));
             });
             if (bad)
                 subject.findings.add({"layouts", to_text(options.settings), "hard meshes", place_text(port.name, *bad, picture.extent),
