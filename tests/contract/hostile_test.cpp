@@ -44,6 +44,11 @@ TEST_CASE("hostile builtins are the builtins where GLSL defines them", "[contrac
     CHECK(hostile_value("mod(x, y)", 5.0f, 3.0f) == 2.0f);
     CHECK(hostile_value("pow(x, y)", 2.0f, 3.0f) == Approx(8.0f).epsilon(1e-5));
     CHECK(hostile_value("inversesqrt(x)", 4.0f) == Approx(0.5f).epsilon(1e-5));
+    CHECK(hostile_value("atan(x)", 1.0f) == Approx(0.785398).epsilon(1e-4));
+    CHECK(hostile_value("atan(x, y)", 1.0f, -1.0f) == Approx(2.356194).epsilon(1e-4));
+    CHECK(hostile_value("atan(vec2(x, y), vec2(1.0)).y", 1.0f, 0.0f) == 0.0f);
+    CHECK(hostile_value("acosh(x)", 1.0f) == Approx(0.0).margin(1e-3));
+    CHECK(hostile_value("atanh(x)", 0.0f) == 0.0f);
     CHECK(hostile_value("log2(x)", 8.0f) == Approx(3.0f).epsilon(1e-5));
     CHECK(hostile_value("normalize(vec3(x, y, z)).y", 3.0f, 4.0f) == Approx(0.8f).epsilon(1e-5));
     CHECK(hostile_value("dot(clamp(vec3(x, y, z), 0.0, 1.0), vec3(1.0, 10.0, 100.0))", 2.0f, -1.0f, 0.5f) == 51.0f);
@@ -64,6 +69,9 @@ TEST_CASE("hostile builtins give NaN where GLSL leaves their result undefined", 
     CHECK(std::isnan(hostile_value("sqrt(x)", -1e-8f)));
     CHECK(std::isnan(hostile_value("inversesqrt(x)", 0.0f)));
     CHECK(std::isnan(hostile_value("log(x)", 0.0f)));
+    CHECK(std::isnan(hostile_value("atan(x, y)", 0.0f, -0.0f)));
+    CHECK(std::isnan(hostile_value("acosh(x)", 0.99f)));
+    CHECK(std::isnan(hostile_value("atanh(x)", -1.0f)));
     CHECK(std::isnan(hostile_value("acos(x)", 1.0000001f)));
     CHECK(std::isnan(hostile_value("mod(x, y)", 1.0f, 0.0f)));
     CHECK(std::isnan(hostile_value("normalize(vec3(x, y, z)).x", 0.0f)));

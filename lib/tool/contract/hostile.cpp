@@ -21,7 +21,7 @@ struct Builtin {
     bool passes_on_nan = true; ///< what it makes of NaN is NaN everywhere; false: what it makes of it is the driver's choice
 };
 
-constexpr std::array<Builtin, 14> kBuiltins = {{
+constexpr std::array<Builtin, 17> kBuiltins = {{
     {"smoothstep", "xyz", "!(x < y)", "xy", false, "its first edge is not below its second, or an argument is NaN"},
     {"pow", "xy", "x < 0.0 || (x == 0.0 && y <= 0.0)", "", false, "its base is negative, or 0 with an exponent of 0 or less"},
     {"sqrt", "x", "x < 0.0", "", false, "its argument is negative"},
@@ -30,6 +30,9 @@ constexpr std::array<Builtin, 14> kBuiltins = {{
     {"log2", "x", "x <= 0.0", "", false, "its argument is 0 or negative"},
     {"acos", "x", "abs(x) > 1.0", "", false, "its argument is beyond 1, which rounding suffices for"},
     {"asin", "x", "abs(x) > 1.0", "", false, "its argument is beyond 1, which rounding suffices for"},
+    {"atan", "yx", "x == 0.0 && y == 0.0", "", false, "both of its arguments are 0"},
+    {"acosh", "x", "x < 1.0", "", false, "its argument is below 1"},
+    {"atanh", "x", "abs(x) >= 1.0", "", false, "its argument is 1 or beyond"},
     {"mod", "xy", "y == 0.0", "y", false, "its divisor is 0"},
     {"min", "xy", "false", "y", true, "an argument is NaN", false},
     {"max", "xy", "false", "y", true, "an argument is NaN", false},
@@ -127,9 +130,20 @@ std::string integer_versions(const Builtin& builtin)
     return text;
 }
 
+/// atan of one argument is defined everywhere: the macro's name stands for it too.
+std::string one_argument_versions(const Builtin& builtin)
+{
+    std::string text;
+    for (const std::string_view type : {"float", "vec2", "vec3", "vec4"})
+        text += fmt::format("{0} passgraph_hostile_{1}({0} x) {{ return {1}(x); }}\n", type, builtin.name);
+    return text;
+}
+
 std::string versions_of(const Builtin& builtin, bool is_forgiving)
 {
     std::string text = scalar_version(builtin, is_forgiving);
+    if (std::string_view(builtin.name) == "atan")
+        text += one_argument_versions(builtin);
     for (int width = 2; width <= 4; ++width) {
         text += vector_version(builtin, width, false);
         if (!std::string_view(builtin.scalars).empty())
