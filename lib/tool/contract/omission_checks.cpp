@@ -1,4 +1,5 @@
-// What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound", "black", "skip".
+// What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound", "black", "skip",
+// "only_where".
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -59,6 +60,9 @@ public:
                 check_black(static_cast<int>(output));
         if (!pass_.skip_when.empty())
             check_skip();
+        const auto depth = std::find_if(pass_.inputs.begin(), pass_.inputs.end(), [](const InputPort& port) { return port.signal == Signal::depth; });
+        if (pass_.only_where != OnlyWhere::everywhere && depth != pass_.inputs.end())
+            check_only_where(*depth);
     }
 
 private:
@@ -242,6 +246,46 @@ private:
             if (const auto outputs = draw(*stage, feed, options))
                 judge_black(outputs->at(port.name), options, "black", fmt::format("random values, `{}` black", fmt::join(names, "` and `")),
                             "correct \"black\", or the pass: a compiler does not draw what black makes black", [](size_t) { return true; });
+        }
+    }
+
+    /// Where there is a surface, or none, the pass is the input it names, or 0. A depth of 0 is no surface.
+    void check_only_where(const InputPort& depth)
+    {
+        for (const Settings& settings : all_settings()) {
+            StageOptions options;
+            options.settings = settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            if (!stage)
+                return;
+            Feed feed = feed_of(options, "");
+            Picture& surfaces = feed.at(depth.name);
+            for (size_t i = 0; i < surfaces.texels.size(); i += 2)
+                surfaces.texels[i] = 0.0f;
+            const auto outputs = draw(*stage, feed, options);
+            if (!outputs)
+                return;
+            for (const auto& [name, picture] : *outputs)
+                judge_only_where(picture, surfaces, pass_.elsewhere.empty() ? nullptr : &feed.at(pass_.elsewhere), options);
+        }
+    }
+
+    void judge_only_where(const Picture& out, const Picture& surfaces, const Picture* elsewhere, const StageOptions& options)
+    {
+        subject_.findings.count_run("only_where");
+        const auto channels = static_cast<size_t>(out.channels);
+        for (size_t i = 0; i < out.texels.size(); ++i) {
+            const size_t texel = i / channels;
+            const bool is_surface = surfaces.texels[texel] > 0.0f;
+            const bool does_nothing = is_surface == (pass_.only_where == OnlyWhere::no_depth);
+            const float wanted = elsewhere ? elsewhere->texels[texel * static_cast<size_t>(elsewhere->channels) + i % channels] : 0.0f;
+            if (!does_nothing || out.texels[i] == wanted)
+                continue;
+            subject_.findings.add({"only_where", to_text(options.settings), is_surface ? "a surface" : "no surface", place_of(out, i),
+                                   fmt::format("{:.9g}", out.texels[i]),
+                                   elsewhere ? fmt::format("`{}` itself: {:.9g}", pass_.elsewhere, wanted) : std::string("exactly 0"),
+                                   "correct \"only_where\", or the pass: elsewhere a compiler does not draw it"});
+            return;
         }
     }
 
