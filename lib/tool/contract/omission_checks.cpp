@@ -1,5 +1,5 @@
 // What a header lets a compiler leave out must not be missed: "identity", "ignores", "bound", "black", "skip",
-// "only_where".
+// "only_where", "needs".
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <passgraph/core/facts.hpp>
+#include <passgraph/scene/facts.hpp>
 
 #include "tool/contract/scenes.hpp"
 #include "tool/contract/suite.hpp"
@@ -60,6 +61,8 @@ public:
                 check_black(static_cast<int>(output));
         if (!pass_.skip_when.empty())
             check_skip();
+        for (const std::string& fact : pass_.needs)
+            check_needs(fact);
         const auto depth = std::find_if(pass_.inputs.begin(), pass_.inputs.end(), [](const InputPort& port) { return port.signal == Signal::depth; });
         if (pass_.only_where != OnlyWhere::everywhere && depth != pass_.inputs.end())
             check_only_where(*depth);
@@ -246,6 +249,46 @@ private:
             if (const auto outputs = draw(*stage, feed, options))
                 judge_black(outputs->at(port.name), options, "black", fmt::format("random values, `{}` black", fmt::join(names, "` and `")),
                             "correct \"black\", or the pass: a compiler does not draw what black makes black", [](size_t) { return true; });
+        }
+    }
+
+    /// In a scene without what it needs the pass is the input of its first identity, or 0.  Of facts, those are tried that a scene without
+    /// lamps lacks, and the sky.
+    void check_needs(const std::string& fact)
+    {
+        static const Scene unlit = unlit_scene();
+        static const Facts lacking = facts_of(unlit);
+        const bool is_of_sky = fact == "sky";
+        if (!is_of_sky && find_fact(fact)->get(lacking) != 0.0)
+            return;
+        for (const Settings& settings : all_settings()) {
+            StageOptions options;
+            options.settings = settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            if (!stage)
+                return;
+            Feed feed = feed_of(options, "");
+            for (const InputPort& port : pass_.inputs)
+                if (is_of_sky && port.over == Over::sphere)
+                    std::fill(feed.at(port.name).texels.begin(), feed.at(port.name).texels.end(), 0.0f);
+            const auto outputs = run_stage(subject_, *stage, feed, &unlit, options);
+            if (!outputs)
+                return;
+            const Picture* input = pass_.identities.empty() ? nullptr : &feed.at(pass_.identities.front().is);
+            for (const auto& [name, picture] : *outputs) {
+                subject_.findings.count_run("needs");
+                for (size_t i = 0; i < picture.texels.size(); ++i) {
+                    const auto channels = static_cast<size_t>(picture.channels);
+                    const float wanted = input ? input->texels[i / channels * static_cast<size_t>(input->channels) + i % channels] : 0.0f;
+                    if (picture.texels[i] == wanted || i % channels == 3)
+                        continue;
+                    subject_.findings.add({"needs", to_text(options.settings), fmt::format("a scene without {}", fact), place_of(picture, i),
+                                           fmt::format("{:.9g}", picture.texels[i]),
+                                           input ? fmt::format("`{}` itself: {:.9g}", pass_.identities.front().is, wanted) : std::string("exactly 0"),
+                                           "correct \"needs\", or the pass: a scene that lacks it does not draw it"});
+                    return;
+                }
+            }
         }
     }
 

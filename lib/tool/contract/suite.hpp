@@ -34,6 +34,7 @@ struct Subject {
 ///   black         an output is 0 where the inputs are that the header says
 ///   skip          ... and where its condition holds
 ///   only_where    where a pass with a depth input does nothing, it is the input it names, or 0
+///   needs         without the lamps or the sky that it needs, the pass is its identity's input, or 0
 ///   law_NAME      a law of the contract
 ///   param_range   parameters are taken up to the ends of their ranges, and refused beyond
 ///   bound_as_guard  no min, max or clamp stands there for NaN alone, which it does not stop (where no contract is stated)
