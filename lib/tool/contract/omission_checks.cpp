@@ -207,13 +207,19 @@ private:
         }
     }
 
-    /// Every set of parameters, and every item of each selection.
-    std::vector<Settings> all_settings() const
+    /// Calls `check` with the stage of every set of parameters and of every item of each selection, until it says no.
+    template <class Check> void for_each_setting(const Check& check)
     {
         std::vector<Settings> all = parameter_variants(pass_);
         const std::vector<Settings> selections = selection_variants(pass_);
         all.insert(all.end(), selections.begin(), selections.end());
-        return all;
+        for (const Settings& settings : all) {
+            StageOptions options;
+            options.settings = settings;
+            std::optional<Stage> stage = open_stage(subject_, options);
+            if (!stage || !check(*stage, options))
+                return;
+        }
     }
 
     /// The first component that is not exactly 0 where `is_meant` says so; alpha is no light.
@@ -234,22 +240,19 @@ private:
     void check_black(int output)
     {
         const OutputPort& port = pass_.outputs[static_cast<size_t>(output)];
-        for (const Settings& settings : all_settings()) {
-            StageOptions options;
-            options.settings = settings;
-            std::optional<Stage> stage = open_stage(subject_, options);
-            if (!stage)
-                return;
+        for_each_setting([&](Stage& stage, const StageOptions& options) {
             Feed feed = feed_of(options, "");
             std::vector<std::string> names;
             for (const int input : pass_.black_inputs(output)) {
                 names.push_back(pass_.inputs[static_cast<size_t>(input)].name);
                 std::fill(feed.at(names.back()).texels.begin(), feed.at(names.back()).texels.end(), 0.0f);
             }
-            if (const auto outputs = draw(*stage, feed, options))
+            const auto outputs = draw(stage, feed, options);
+            if (outputs)
                 judge_black(outputs->at(port.name), options, "black", fmt::format("random values, `{}` black", fmt::join(names, "` and `")),
                             "correct \"black\", or the pass: a compiler does not draw what black makes black", [](size_t) { return true; });
-        }
+            return outputs.has_value();
+        });
     }
 
     /// In a scene without what it needs the pass is the input of its first identity, or 0.  Of facts, those are tried that a scene without
@@ -261,60 +264,59 @@ private:
         const bool is_of_sky = fact == "sky";
         if (!is_of_sky && find_fact(fact)->get(lacking) != 0.0)
             return;
-        for (const Settings& settings : all_settings()) {
-            StageOptions options;
-            options.settings = settings;
-            std::optional<Stage> stage = open_stage(subject_, options);
-            if (!stage)
-                return;
+        for_each_setting([&](Stage& stage, const StageOptions& options) {
             Feed feed = feed_of(options, "");
             for (const InputPort& port : pass_.inputs)
                 if (is_of_sky && port.over == Over::sphere)
                     std::fill(feed.at(port.name).texels.begin(), feed.at(port.name).texels.end(), 0.0f);
-            const auto outputs = run_stage(subject_, *stage, feed, &unlit, options);
+            const auto outputs = run_stage(subject_, stage, feed, &unlit, options);
             if (!outputs)
-                return;
-            const Picture* input = pass_.identities.empty() ? nullptr : &feed.at(pass_.identities.front().is);
-            for (const auto& [name, picture] : *outputs) {
-                subject_.findings.count_run("needs");
-                for (size_t i = 0; i < picture.texels.size(); ++i) {
-                    const auto channels = static_cast<size_t>(picture.channels);
-                    const float wanted = input ? input->texels[i / channels * static_cast<size_t>(input->channels) + i % channels] : 0.0f;
-                    if (picture.texels[i] == wanted || i % channels == 3)
-                        continue;
-                    subject_.findings.add({"needs", to_text(options.settings), fmt::format("a scene without {}", fact), place_of(picture, i),
-                                           fmt::format("{:.9g}", picture.texels[i]),
-                                           input ? fmt::format("`{}` itself: {:.9g}", pass_.identities.front().is, wanted) : std::string("exactly 0"),
-                                           "correct \"needs\", or the pass: a scene that lacks it does not draw it"});
-                    return;
-                }
-            }
+                return false;
+            for (const auto& [name, picture] : *outputs)
+                judge_needs(picture, fact, pass_.identities.empty() ? nullptr : &feed.at(pass_.identities.front().is), options);
+            return true;
+        });
+    }
+
+    void judge_needs(const Picture& out, const std::string& fact, const Picture* input, const StageOptions& options)
+    {
+        if (input && !(input->extent == out.extent))
+            return; // a compiler does not take the one for the other then
+        subject_.findings.count_run("needs");
+        const auto channels = static_cast<size_t>(out.channels);
+        for (size_t i = 0; i < out.texels.size(); ++i) {
+            const float wanted = input ? input->texels[i / channels * static_cast<size_t>(input->channels) + i % channels] : 0.0f;
+            if (out.texels[i] == wanted || i % channels == 3)
+                continue;
+            subject_.findings.add({"needs", to_text(options.settings), fmt::format("a scene without {}", fact), place_of(out, i),
+                                   fmt::format("{:.9g}", out.texels[i]),
+                                   input ? fmt::format("`{}` itself: {:.9g}", pass_.identities.front().is, wanted) : std::string("exactly 0"),
+                                   "correct \"needs\", or the pass: a scene that lacks it does not draw it"});
+            return;
         }
     }
 
     /// Where there is a surface, or none, the pass is the input it names, or 0. A depth of 0 is no surface.
     void check_only_where(const InputPort& depth)
     {
-        for (const Settings& settings : all_settings()) {
-            StageOptions options;
-            options.settings = settings;
-            std::optional<Stage> stage = open_stage(subject_, options);
-            if (!stage)
-                return;
+        for_each_setting([&](Stage& stage, const StageOptions& options) {
             Feed feed = feed_of(options, "");
             Picture& surfaces = feed.at(depth.name);
             for (size_t i = 0; i < surfaces.texels.size(); i += 2)
                 surfaces.texels[i] = 0.0f;
-            const auto outputs = draw(*stage, feed, options);
+            const auto outputs = draw(stage, feed, options);
             if (!outputs)
-                return;
+                return false;
             for (const auto& [name, picture] : *outputs)
                 judge_only_where(picture, surfaces, pass_.elsewhere.empty() ? nullptr : &feed.at(pass_.elsewhere), options);
-        }
+            return true;
+        });
     }
 
     void judge_only_where(const Picture& out, const Picture& surfaces, const Picture* elsewhere, const StageOptions& options)
     {
+        if (!(out.extent == surfaces.extent))
+            return; // nothing is drawn in parts then
         subject_.findings.count_run("only_where");
         const auto channels = static_cast<size_t>(out.channels);
         for (size_t i = 0; i < out.texels.size(); ++i) {
@@ -359,20 +361,17 @@ private:
         PassLibrary library = subject_.library;
         library.add(condition_pass());
         const Subject condition{library, library.find("passgraph_condition"), subject_.loader, subject_.findings};
-        for (const Settings& settings : all_settings()) {
-            StageOptions options;
-            options.settings = settings;
-            std::optional<Stage> stage = open_stage(subject_, options);
+        for_each_setting([&](Stage& stage, const StageOptions& options) {
             std::optional<Stage> asked = open_stage(condition, options);
-            if (!stage || !asked)
-                return;
             const Feed feed = feed_of(options, "");
-            const auto outputs = draw(*stage, feed, options);
-            const auto holds = draw(*asked, feed, options);
-            if (outputs && holds)
-                judge_black(outputs->begin()->second, options, "skip", "random values", "correct \"skip\", or the pass: where the condition holds nothing is drawn",
-                            [&](size_t texel) { return holds->begin()->second.texels[texel] != 0.0f; });
-        }
+            const auto outputs = draw(stage, feed, options);
+            const auto holds = asked ? draw(*asked, feed, options) : std::nullopt;
+            if (!outputs || !holds)
+                return false;
+            judge_black(outputs->begin()->second, options, "skip", "random values", "correct \"skip\", or the pass: where the condition holds nothing is drawn",
+                        [&](size_t texel) { return holds->begin()->second.texels[texel] != 0.0f; });
+            return true;
+        });
     }
 
     static std::string fed(const std::string& black)
