@@ -22,6 +22,7 @@ Object read_json(const Plan::Read& read)
             {"index", read.index},
             {"sampler", read.sampler},
             {"filter", read.filter == Filter::linear ? "linear" : "nearest"},
+            {"loaded", read.is_loaded},
             {"wrap", kWraps[static_cast<size_t>(read.wrap)]},
             {"levels", read.has_levels}};
 }

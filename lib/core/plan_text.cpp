@@ -18,7 +18,7 @@ std::string slot_text(const Plan& plan, int slot)
 std::string read_text(const Plan::Read& read)
 {
     const std::string where = read.source == Plan::Read::Source::slot ? fmt::format("slot {}", read.index) : "import";
-    return fmt::format("{} ({}, {})", read.image, where, read.filter == Filter::linear ? "linear" : "nearest");
+    return fmt::format("{} ({}, {})", read.image, where, read.is_loaded ? "loaded" : read.filter == Filter::linear ? "linear" : "nearest");
 }
 
 /// How many steps a change of what step `changed` computes redraws: itself, and every later step that reads its images.

@@ -43,19 +43,23 @@ void bind_reads(const DrawInputs& inputs, const Plan::Step& step, const StepObje
             send_harmonics(inputs.gl, program, i, *cube.harmonics);
         if (unit < 0)
             continue;
+        if (read.is_loaded) {
+            inputs.state.image(unit, inputs.slots[static_cast<size_t>(read.index)].id(), objects.bindings[i].loaded_format);
+            continue;
+        }
         if (!import) {
             inputs.state.texture(unit, GL_TEXTURE_2D, inputs.slots[static_cast<size_t>(read.index)].id());
-            inputs.state.sampler(unit, objects.samplers[i].plain);
+            inputs.state.sampler(unit, objects.bindings[i].plain);
             continue;
         }
         if (import->import.kind == Plan::Import::Kind::atlas) {
             inputs.state.texture(unit, GL_TEXTURE_2D, atlas_texture(inputs, import->import));
-            inputs.state.sampler(unit, objects.samplers[i].plain);
+            inputs.state.sampler(unit, objects.bindings[i].plain);
             continue;
         }
         const bool has_levels = import->has_levels || (cube.harmonics && import->id == 0);
         inputs.state.texture(unit, import->target(), cube.harmonics ? cube.texture : import->id);
-        inputs.state.sampler(unit, has_levels ? objects.samplers[i].with_levels : objects.samplers[i].plain);
+        inputs.state.sampler(unit, has_levels ? objects.bindings[i].with_levels : objects.bindings[i].plain);
     }
 }
 
@@ -194,7 +198,7 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
     // Without inverted conditions there are no variants that know what is black: everybody may look.
     const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
     const bool is_background_black = step.tested_depth_slot >= 0 && step.background.empty();
-    if (is_background_black || step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
+    if (is_background_black || (step.counts >= 0 && step.is_cleared) || (queries.skipped_by != 0 && !has_variant && is_read))
         clear_to_black(inputs, step);
     std::int64_t draws = 0;
     if (queries.counts != 0)

@@ -40,6 +40,8 @@ void load_optional(GlLoader loader, int version, Functions& gl)
 {
     if (version >= 45 || has_extension(gl, "GL_ARB_clip_control"))
         load(loader, "glClipControl", gl.ClipControl);
+    if (version >= 42 || has_extension(gl, "GL_ARB_shader_image_load_store"))
+        load(loader, "glBindImageTexture", gl.BindImageTexture);
     gl.has_conservative_queries = version >= 43 || has_extension(gl, "GL_ARB_ES3_compatibility");
     gl.has_inverted_conditions = version >= 45 || has_extension(gl, "GL_ARB_conditional_render_inverted");
     if (version >= 43 || has_extension(gl, "GL_KHR_debug")) {

@@ -118,6 +118,7 @@ struct Functions {
     PASSGRAPH_GL_FUNCTIONS(PASSGRAPH_GL_MEMBER)
     PASSGRAPH_GL_DEBUG_FUNCTIONS(PASSGRAPH_GL_MEMBER)
     PASSGRAPH_GL_MEMBER(PFNGLCLIPCONTROLPROC, ClipControl) ///< nullptr without ARB_clip_control
+    PASSGRAPH_GL_MEMBER(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) ///< nullptr below 4.2 without ARB_shader_image_load_store
 #undef PASSGRAPH_GL_MEMBER
     bool has_debug = false;
     bool has_conservative_queries = false; ///< 4.3 or ARB_ES3_compatibility

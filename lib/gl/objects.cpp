@@ -21,6 +21,10 @@ std::string_view query_text(const Functions& gl, GLenum name)
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+/// Of 1280x720 texels of halves, llvmpipe loads all in 0.45 ms, and fetches all through a nearest sampler in 0.65, by texelFetch
+/// in 1.1.  A graphics card has caches for samplers, and may keep what is loaded from uncompressed.
+bool loads_quicker_than_it_samples(const Driver& driver) { return driver.device_name.starts_with("llvmpipe"); }
+
 } // namespace
 
 Result<Driver> create_driver(GlLoader loader)
@@ -36,6 +40,8 @@ Result<Driver> create_driver(GlLoader loader)
     driver.limits.color_targets =
         std::min(query_limit(gl, GL_MAX_DRAW_BUFFERS), query_limit(gl, GL_MAX_COLOR_ATTACHMENTS));
     driver.limits.varying_components = query_limit(gl, GL_MAX_VARYING_COMPONENTS);
+    if (gl.BindImageTexture != nullptr)
+        driver.limits.image_units = std::min(query_limit(gl, GL_MAX_IMAGE_UNITS), query_limit(gl, GL_MAX_FRAGMENT_IMAGE_UNIFORMS));
     driver.limits.texture_buffer_texels = query_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     driver.device_name = fmt::format("{}, OpenGL {}", query_text(gl, GL_RENDERER), query_text(gl, GL_VERSION));
     return driver;
@@ -86,7 +92,8 @@ Result<Device> query_device(GlLoader loader)
     return Device{.max_texture_size = driver->limits.texture_size,
                   .max_texture_units = driver->limits.texture_units,
                   .max_color_targets = driver->limits.color_targets,
-                  .max_varying_components = driver->limits.varying_components};
+                  .max_varying_components = driver->limits.varying_components,
+                  .max_loaded_images = gl::loads_quicker_than_it_samples(*driver) ? driver->limits.image_units : 0};
 }
 
 } // namespace passgraph

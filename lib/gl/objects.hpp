@@ -16,6 +16,7 @@ struct Limits {
     int texture_units = 16;
     int color_targets = 8;
     int varying_components = 60;
+    int image_units = 0; ///< that fragment stages may load from
     int texture_buffer_texels = 65536;
 };
 

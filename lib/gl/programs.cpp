@@ -94,13 +94,21 @@ void bind_block(const Functions& gl, GLuint program, const char* name, int bindi
 
 /// Gives a sampler the next free unit, if the program has that sampler. A unit is never shared: two kinds of sampler on
 /// one unit make every draw an error.
-int assign_unit(const Functions& gl, Program& program, const char* sampler)
+int assign_unit(const Functions& gl, const Program& program, const char* sampler, int& units)
 {
     const GLint location = gl.GetUniformLocation(program.id(), sampler);
     if (location < 0)
         return -1;
-    gl.Uniform1i(location, program.units);
-    return program.units++;
+    gl.Uniform1i(location, units);
+    return units++;
+}
+
+Error units_exceeded(const Plan::Step& step, const char* code, std::string_view what, int used, int most)
+{
+    return {.code = code,
+            .message = fmt::format("step `{}` reads {} {}, the device has {} units for them", step.name, used, what, most),
+            .hint = "compile with the device's limits (query_device)",
+            .fault = Fault::machine};
 }
 
 } // namespace
@@ -147,19 +155,18 @@ Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& ste
     const GLuint id = program.id();
     state.use_program(id);
     for (const Plan::Read& read : step.reads) {
-        program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str()));
+        int& units = read.is_loaded ? program.units.images : program.units.textures;
+        program.read_units.push_back(assign_unit(gl, program, read.sampler.c_str(), units));
         program.harmonics.push_back(gl.GetUniformLocation(id, glsl::harmonics_name(read.sampler).c_str()));
     }
-    program.scene.lights = assign_unit(gl, program, glsl::kLightsBuffer);
-    program.scene.atlas_albedo = assign_unit(gl, program, glsl::kAtlasAlbedo);
-    program.scene.atlas_material = assign_unit(gl, program, glsl::kAtlasMaterial);
-    program.scene.atlas_emissive = assign_unit(gl, program, glsl::kAtlasEmissive);
-    if (program.units > driver.limits.texture_units)
-        return fail({.code = "texture_units_exceeded",
-                     .message = fmt::format("step `{}` reads {} textures, the device has {} units", step.name,
-                                            program.units, driver.limits.texture_units),
-                     .hint = "compile with the device's limits (query_device), so that such a step is split",
-                     .fault = Fault::machine});
+    program.scene.lights = assign_unit(gl, program, glsl::kLightsBuffer, program.units.textures);
+    program.scene.atlas_albedo = assign_unit(gl, program, glsl::kAtlasAlbedo, program.units.textures);
+    program.scene.atlas_material = assign_unit(gl, program, glsl::kAtlasMaterial, program.units.textures);
+    program.scene.atlas_emissive = assign_unit(gl, program, glsl::kAtlasEmissive, program.units.textures);
+    if (program.units.textures > driver.limits.texture_units)
+        return fail(units_exceeded(step, "texture_units_exceeded", "textures", program.units.textures, driver.limits.texture_units));
+    if (program.units.images > driver.limits.image_units)
+        return fail(units_exceeded(step, "image_units_exceeded", "images by texel", program.units.images, driver.limits.image_units));
     bind_block(gl, id, glsl::kCameraBlock, kCameraBinding);
     bind_block(gl, id, glsl::kFrameBlock, kFrameBinding);
     program.element_location = gl.GetUniformLocation(id, glsl::kElement);

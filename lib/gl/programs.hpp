@@ -31,7 +31,7 @@ inline constexpr int kSceneUnits = 4;
 
 struct Program {
     std::shared_ptr<LinkedProgram> linked;
-    std::vector<int> read_units;       ///< per read of the step; -1 when the code never fetches it
+    std::vector<int> read_units;       ///< per read of the step, of textures or of images; -1 when the code never fetches it
     std::vector<GLint> harmonics;      ///< per read: where a cube's irradiance goes; -1 when the code never asks for it
     std::vector<LiveUniform> uniforms; ///< per uniform of the step
     SceneUnits scene;
@@ -39,7 +39,7 @@ struct Program {
     GLint levels_location = -1;
     GLint light_rows_location = -1;
     GLsizei light_rows = 0; ///< that the program takes
-    int units = 0; ///< in use, from 0
+    Units units;
 
     GLuint id() const { return linked ? linked->object.id() : 0; }
 };
@@ -49,7 +49,7 @@ struct Program {
 Result<std::shared_ptr<LinkedProgram>> link_program(Driver& driver, const Plan::Step& step);
 
 /// Looks up what a linked program of this step needs for its draws.
-/// Errors   texture_units_exceeded.
+/// Errors   texture_units_exceeded, image_units_exceeded.
 Result<Program> wire_program(Driver& driver, State& state, const Plan::Step& step, std::shared_ptr<LinkedProgram> linked);
 
 /// Both.

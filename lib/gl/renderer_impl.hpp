@@ -96,15 +96,15 @@ struct Renderer::Impl::Call {
 
     explicit Call(Impl& impl) : Call(impl, impl.objects_.units) {}
 
-    /// How many texture units it touches at most.
-    Call(Impl& impl, int units)
+    /// `units`: that it touches at most.
+    Call(Impl& impl, gl::Units units)
         : guard(make_guard(impl, units)), watch(impl.driver_),
           upload{impl.driver_, impl.state_, watch, impl.options_.scrubs_imports, impl.options_.is_poisoned}
     {
         impl.state_.reset();
     }
 
-    static std::optional<gl::StateGuard> make_guard(const Impl& impl, int units)
+    static std::optional<gl::StateGuard> make_guard(const Impl& impl, gl::Units units)
     {
         if (!impl.options_.restores_state)
             return std::nullopt;

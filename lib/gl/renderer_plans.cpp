@@ -61,8 +61,9 @@ Result<void> Renderer::Impl::advance(PreparedPlan::Impl& prepared)
         return {};
     const size_t next = prepared.objects.steps.size();
     const Plan::Step& step = prepared.objects.plan.steps[next];
-    const int units = std::min(static_cast<int>(step.reads.size()) + gl::kSceneUnits, driver_.limits.texture_units);
-    Call call(*this, std::max(objects_.units, units));
+    const int reads = static_cast<int>(step.reads.size());
+    const gl::Units units{std::min(reads + gl::kSceneUnits, driver_.limits.texture_units), std::min(reads, driver_.limits.image_units)};
+    Call call(*this, most(objects_.units, units));
     prepared.imports.borrow(*imports_); // the host may have imported others meanwhile
     Errors errors = gl::add_step_objects(call.upload, {samplers_, programs_}, prepared.objects);
     const bool has_scene = scene_buffers_ || (step.kind != Plan::Step::Kind::geometry && !step.host.lights);

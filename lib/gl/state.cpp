@@ -6,7 +6,8 @@
 namespace passgraph::gl {
 
 State::State(const Driver& driver)
-    : driver_(driver), units_(static_cast<size_t>(driver.limits.texture_units)), uniform_buffers_(kUniformBufferCount)
+    : driver_(driver), units_(static_cast<size_t>(driver.limits.texture_units)),
+      image_units_(static_cast<size_t>(driver.limits.image_units)), uniform_buffers_(kUniformBufferCount)
 {
 }
 
@@ -24,6 +25,7 @@ template <class T> bool State::changes(T& known, T wanted)
 void State::reset()
 {
     units_.assign(units_.size(), {});
+    image_units_.assign(image_units_.size(), {});
     uniform_buffers_.assign(uniform_buffers_.size(), kUnknown);
     program_ = framebuffer_ = vertex_array_ = kUnknown;
     active_unit_ = -1;
@@ -106,6 +108,12 @@ void State::sampler(int unit, GLuint sampler)
 {
     if (changes(units_[static_cast<size_t>(unit)].sampler, sampler))
         driver_.gl.BindSampler(static_cast<GLuint>(unit), sampler);
+}
+
+void State::image(int unit, GLuint texture, GLenum format)
+{
+    if (changes(image_units_[static_cast<size_t>(unit)], {texture, format}))
+        driver_.gl.BindImageTexture(static_cast<GLuint>(unit), texture, 0, GL_FALSE, 0, GL_READ_ONLY, format);
 }
 
 void State::uniform_buffer(int binding, GLuint buffer)

@@ -1,6 +1,7 @@
 // A memory of the GL state, so that only changes reach the driver.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,6 +9,15 @@
 #include "gl/objects.hpp"
 
 namespace passgraph::gl {
+
+/// How many units something uses, from 0.
+struct Units {
+    int textures = 0;
+    int images = 0;
+
+    /// Enough for both.
+    friend Units most(Units a, Units b) { return {std::max(a.textures, b.textures), std::max(a.images, b.images)}; }
+};
 
 /// Issues state changes that are changes, and counts both kinds.
 ///
@@ -26,6 +36,8 @@ public:
     void vertex_array(GLuint vertex_array);
     void texture(int unit, GLenum target, GLuint texture);
     void sampler(int unit, GLuint sampler);
+    /// To be loaded from, as the format that it is stored in.
+    void image(int unit, GLuint texture, GLenum format);
     void uniform_buffer(int binding, GLuint buffer);
     /// What a draw does with the depth buffer.
     enum class Depth : std::uint8_t {
@@ -53,6 +65,11 @@ private:
         GLuint buffer = kUnknown;
         GLuint sampler = kUnknown;
     };
+    struct ImageUnit {
+        GLuint texture = kUnknown;
+        GLenum format = 0;
+        friend bool operator==(const ImageUnit&, const ImageUnit&) = default;
+    };
     enum class Switch : std::uint8_t { unknown, off, on };
 
     /// True, and remembered, when `wanted` is not what `known` says.
@@ -64,6 +81,7 @@ private:
 
     const Driver& driver_;
     std::vector<Unit> units_;
+    std::vector<ImageUnit> image_units_;
     std::vector<GLuint> uniform_buffers_;
     GLuint program_ = kUnknown;
     GLuint framebuffer_ = kUnknown;

@@ -15,7 +15,7 @@ GLuint name_of(GLint value)
 
 } // namespace
 
-StateGuard::StateGuard(const Driver& driver, int units)
+StateGuard::StateGuard(const Driver& driver, Units units)
     : gl_(driver.gl), program_(get(GL_CURRENT_PROGRAM)), draw_framebuffer_(get(GL_DRAW_FRAMEBUFFER_BINDING)),
       read_framebuffer_(get(GL_READ_FRAMEBUFFER_BINDING)), vertex_array_(get(GL_VERTEX_ARRAY_BINDING)),
       active_texture_(get(GL_ACTIVE_TEXTURE)), array_buffer_(get(GL_ARRAY_BUFFER_BINDING)),
@@ -48,12 +48,14 @@ StateGuard::StateGuard(const Driver& driver, int units)
         clip_origin_ = get(GL_CLIP_ORIGIN);
         clip_depth_ = get(GL_CLIP_DEPTH_MODE);
     }
-    save_units(units);
+    save_units(units.textures);
+    save_image_units(units.images);
 }
 
 StateGuard::~StateGuard()
 {
     restore_units();
+    restore_image_units();
     restore_bindings();
     restore_fixed_state();
 }
@@ -95,6 +97,30 @@ void StateGuard::restore_units() const
         gl_.BindSampler(static_cast<GLuint>(i), name_of(units_[i].sampler));
     }
     gl_.ActiveTexture(static_cast<GLenum>(active_texture_));
+}
+
+void StateGuard::save_image_units(int units)
+{
+    image_units_.resize(static_cast<size_t>(units));
+    for (GLuint i = 0; i < image_units_.size(); ++i) {
+        ImageUnit& unit = image_units_[i];
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &unit.texture);
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &unit.level);
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &unit.is_layered);
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_LAYER, i, &unit.layer);
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &unit.access);
+        gl_.GetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &unit.format);
+    }
+}
+
+void StateGuard::restore_image_units() const
+{
+    for (GLuint i = 0; i < image_units_.size(); ++i) {
+        const ImageUnit& was = image_units_[i];
+        const GLuint texture = name_of(was.texture); // the host's, or an output of ours that `replace` has deleted since
+        gl_.BindImageTexture(i, gl_.IsTexture(texture) == GL_TRUE ? texture : 0, was.level, was.is_layered != 0 ? GL_TRUE : GL_FALSE,
+                             was.layer, static_cast<GLenum>(was.access), static_cast<GLenum>(was.format));
+    }
 }
 
 void StateGuard::restore_bindings() const

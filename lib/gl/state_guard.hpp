@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "gl/objects.hpp"
+#include "gl/state.hpp"
 #include "gl/state_names.hpp"
 
 namespace passgraph::gl {
@@ -15,8 +15,8 @@ namespace passgraph::gl {
 ///          for it.
 class StateGuard {
 public:
-    /// `units`: how many texture units may be touched.
-    StateGuard(const Driver& driver, int units);
+    /// `units`: that may be touched.
+    StateGuard(const Driver& driver, Units units);
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;
@@ -28,6 +28,14 @@ private:
         GLint buffer = 0;
         GLint sampler = 0;
     };
+    struct ImageUnit {
+        GLint texture = 0;
+        GLint level = 0;
+        GLint is_layered = 0;
+        GLint layer = 0;
+        GLint access = 0;
+        GLint format = 0;
+    };
     struct UniformBuffer {
         GLint buffer = 0;
         GLint64 start = 0;
@@ -37,7 +45,9 @@ private:
 
     GLint get(GLenum name) const;
     void save_units(int units);
+    void save_image_units(int units);
     void restore_units() const;
+    void restore_image_units() const;
     void restore_bindings() const;
     void restore_fixed_state() const;
     void set_enabled(GLenum capability, bool is_on) const;
@@ -50,6 +60,7 @@ private:
     std::array<GLint, std::size(kPixelStores)> pixel_stores_{};
     std::array<UniformBuffer, kUniformBufferCount> uniform_buffers_{};
     std::vector<Unit> units_;
+    std::vector<ImageUnit> image_units_;
     GLint program_, draw_framebuffer_, read_framebuffer_, vertex_array_, active_texture_;
     GLint array_buffer_, texture_buffer_, uniform_buffer_, pack_buffer_, unpack_buffer_;
     GLint depth_func_, cull_mode_, front_face_, clamp_read_color_;

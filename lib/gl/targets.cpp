@@ -146,12 +146,16 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
         *other = std::move(*made_too);
     }
     for (const Plan::Read& read : step.reads) {
+        if (read.is_loaded) {
+            objects.bindings.push_back({.loaded_format = internal_format(plan.slots[static_cast<size_t>(read.index)].format)});
+            continue;
+        }
         const GLuint plain = workshop.samplers.get(read.filter, read.wrap, read.wrap, false);
         const bool may_have_levels =
             read.source == Plan::Read::Source::import &&
             (read.has_levels || plan.imports[static_cast<size_t>(read.index)].kind != Plan::Import::Kind::picture);
-        objects.samplers.push_back(
-            {plain, may_have_levels ? workshop.samplers.get(read.filter, read.wrap, read.wrap, true) : plain});
+        objects.bindings.push_back(
+            {.plain = plain, .with_levels = may_have_levels ? workshop.samplers.get(read.filter, read.wrap, read.wrap, true) : plain});
     }
     objects.has_srgb_target = std::any_of(step.targets.begin(), step.targets.end(), [&](const Plan::Target& target) {
         return plan.slots[static_cast<size_t>(target.slot)].format == Format::srgb8_a8;
@@ -201,7 +205,7 @@ Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& o
     Result<StepObjects> made = create_step(upload, workshop, objects);
     if (made) {
         for (const Program* program : made->programs())
-            objects.units = std::max(objects.units, program->units);
+            objects.units = most(objects.units, program->units);
         objects.steps.push_back(std::move(*made));
         upload.watch.check();
     } else {

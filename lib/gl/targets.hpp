@@ -13,10 +13,11 @@
 
 namespace passgraph::gl {
 
-/// A read's two samplers: which is used depends on the levels of the texture that the import turned out to be.
-struct ReadSamplers {
-    GLuint plain = 0;
+/// How a read's texture is bound.
+struct ReadBinding {
+    GLuint plain = 0; ///< which of the two samplers is used depends on the levels of the texture that the import turned out to be
     GLuint with_levels = 0;
+    GLenum loaded_format = 0; ///< of an image that texels are loaded from, without any sampler
 };
 
 struct StepObjects {
@@ -24,7 +25,7 @@ struct StepObjects {
     Program program;
     std::optional<Program> background{};  ///< of a step in two parts
     std::optional<Program> when_skipped{}; ///< of a step that has a variant for what is black
-    std::vector<ReadSamplers> samplers{}; ///< per read
+    std::vector<ReadBinding> bindings{}; ///< per read
     bool has_srgb_target = false;
 
     /// All there are.
@@ -38,7 +39,7 @@ struct PlanObjects {
     std::vector<QueryObject> queries;
     Timing timing;
     Freshness freshness;
-    int units = 1; ///< texture units that steps use, and uploads: at least unit 0
+    Units units{.textures = 1}; ///< that steps use, and uploads: at least unit 0
 
     bool is_complete() const { return steps.size() == plan.steps.size(); }
 };
@@ -54,7 +55,7 @@ struct Workshop {
 Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed);
 
 /// Makes the objects of the first step that has none; a program whose texts the pool knows is taken from it.
-/// Errors   shader_failed, texture_units_exceeded, framebuffer_incomplete; the step then has empty objects.
+/// Errors   shader_failed, texture_units_exceeded, image_units_exceeded, framebuffer_incomplete; the step then has empty objects.
 Errors add_step_objects(Upload& upload, const Workshop& workshop, PlanObjects& objects);
 
 /// Gives a plan that is about to run the textures of another one that hold what it would draw, and the queries that have

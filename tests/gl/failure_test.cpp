@@ -105,6 +105,23 @@ TEST_CASE("more samplers than the device has units are refused", "[gl][failure]"
     CHECK(result.error()[0].message.find("`greedy`") != std::string::npos);
 }
 
+TEST_CASE("loads without image units are refused, and no device without them is said to load", "[gl][failure]")
+{
+    PlanBuilder builder({2, 2});
+    const int source = builder.slot(Format::rgba8, "source");
+    Plan::Step& step = builder.draw("loading",
+                                    "layout(rgba8) readonly uniform image2D source;\nlayout(location = 0) out vec4 c;\n"
+                                    "void main() { c = imageLoad(source, ivec2(gl_FragCoord.xy)); }\n",
+                                    {builder.slot(Format::rgba8, "image")});
+    step.reads = {load_slot(source, "source")};
+    loads_images(step);
+    CHECK(codes(Renderer::create(builder.plan, {.loader = test_loader()})).empty());
+    reset_spy().hidden = {"glBindImageTexture"};
+    CHECK(query_device(spying_loader())->max_loaded_images == 0);
+    CHECK(codes(Renderer::create(builder.plan, {.loader = spying_loader()})) == Codes{"image_units_exceeded"});
+    reset_spy();
+}
+
 TEST_CASE("a framebuffer the driver cannot draw into names the step and its images", "[gl][failure]")
 {
     reset_spy().framebuffer_status = GL_FRAMEBUFFER_UNSUPPORTED;

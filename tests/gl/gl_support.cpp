@@ -316,6 +316,18 @@ Plan::Read read_slot(int slot, const std::string& sampler)
     return read;
 }
 
+Plan::Read load_slot(int slot, const std::string& image)
+{
+    Plan::Read read = read_slot(slot, image);
+    read.is_loaded = true;
+    return read;
+}
+
+void loads_images(Plan::Step& step)
+{
+    step.fragment.insert(step.fragment.find('\n') + 1, "#extension GL_ARB_shader_image_load_store : require\n");
+}
+
 Plan::Read read_import(int import, const std::string& sampler, bool has_levels)
 {
     Plan::Read read = read_slot(import, sampler);

@@ -71,6 +71,9 @@ struct PlanBuilder {
 };
 
 Plan::Read read_slot(int slot, const std::string& sampler);
+/// Whole texels of a slot, by `imageLoad`; `loads_images` lets a step's fragment stage declare images.
+Plan::Read load_slot(int slot, const std::string& image);
+void loads_images(Plan::Step& step);
 Plan::Read read_import(int import, const std::string& sampler, bool has_levels = false);
 
 /// One step that fills a picture with a color: "color", rgba32f radiance.

@@ -94,6 +94,13 @@ std::vector<GLint> snapshot()
             add(name, 1);
     }
     gl_function<PFNGLACTIVETEXTUREPROC>("glActiveTexture")(static_cast<GLenum>(active));
+    for (GLuint unit = 0; unit < 3; ++unit)
+        for (const GLenum name : {GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYERED, GL_IMAGE_BINDING_LAYER,
+                                  GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT}) {
+            GLint value = -1;
+            gl_function<PFNGLGETINTEGERI_VPROC>("glGetIntegeri_v")(name, unit, &value);
+            found.push_back(value);
+        }
     void* callback = nullptr;
     gl_function<PFNGLGETPOINTERVPROC>("glGetPointerv")(GL_DEBUG_CALLBACK_FUNCTION, &callback);
     found.push_back(callback != nullptr);
@@ -148,6 +155,9 @@ private:
             gl_function<PFNGLBINDTEXTUREPROC>("glBindTexture")(GL_TEXTURE_2D, bound * texture_);
             gl_function<PFNGLBINDSAMPLERPROC>("glBindSampler")(unit, bound * sampler_);
         }
+        for (GLuint unit = 0; unit < 3; ++unit)
+            gl_function<PFNGLBINDIMAGETEXTUREPROC>("glBindImageTexture")(unit, bound * texture_, static_cast<GLint>(bound), GL_FALSE, static_cast<GLint>(bound),
+                                                                         is_dirty ? GL_READ_WRITE : GL_READ_ONLY, is_dirty ? GL_R32F : GL_R8);
         gl_function<PFNGLACTIVETEXTUREPROC>("glActiveTexture")(GL_TEXTURE0 + 5 * bound);
         gl_function<PFNGLBINDVERTEXARRAYPROC>("glBindVertexArray")(bound * vertex_array_);
         gl_function<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, bound * framebuffer_);
@@ -176,20 +186,27 @@ private:
     GLuint buffer_ = 0, texture_ = 0, sampler_ = 0, vertex_array_ = 0, framebuffer_ = 0;
 };
 
-/// An import, a geometry step and a full-screen step that reads both.
+/// An import, a geometry step, a full-screen step that samples both, and one that loads what that makes.
 Plan busy_plan()
 {
     PlanBuilder builder({5, 3});
     const int picture = builder.import(Plan::Import::Kind::picture, "picture", Signal::radiance, {1, 3});
     const int color = builder.slot(Format::srgb8_a8, "surface.color");
     const int depth = builder.slot(Format::depth32f, "surface.depth");
-    const int out = builder.slot(Format::rgba32f, "mix.color");
+    const int mixed = builder.slot(Format::rgba32f, "mix.color");
+    const int out = builder.slot(Format::rgba32f, "copy.color");
     builder.geometry("surface", "layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1.0); }\n", {color}, depth);
     builder.draw("mix",
                  "uniform sampler2D picture;\nuniform sampler2D surface;\nlayout(location = 0) out vec4 c;\n"
                  "void main() { c = texture(picture, uv) + texture(surface, uv); }\n",
-                 {out});
+                 {mixed});
     builder.plan.steps[1].reads = {read_import(picture, "picture"), read_slot(color, "surface")};
+    builder.draw("copy",
+                 "layout(rgba32f) readonly uniform image2D mixed;\nlayout(location = 0) out vec4 c;\n"
+                 "void main() { c = imageLoad(mixed, ivec2(gl_FragCoord.xy)); }\n",
+                 {out});
+    builder.plan.steps[2].reads = {load_slot(mixed, "mixed")};
+    loads_images(builder.plan.steps[2]);
     builder.output("color", out, Signal::radiance, "rgba32f");
     builder.output("depth", depth, Signal::depth, "depth32f");
     return builder.plan;
@@ -215,6 +232,13 @@ void check_busy(const Picture& picture)
         CHECK(picture.at(2, y) == static_cast<float>(y + 2));
 }
 
+Picture constant_picture(Extent extent, float value)
+{
+    Picture picture(extent, 1);
+    picture.texels.assign(picture.texels.size(), value);
+    return picture;
+}
+
 Picture rows()
 {
     Picture picture({1, 3}, 1);
@@ -234,6 +258,20 @@ TEST_CASE("whatever state the host left, the picture is the same", "[gl][state]"
     check_busy(render_and_read(renderer));
     // near (far - d) / (d (far - near)) at d = 1
     CHECK(renderer.read("depth")->at(2, 1) == Approx(0.1 * 999.0 / 999.9).epsilon(1e-5));
+}
+
+TEST_CASE("whatever state the host leaves between two frames, the picture is the same", "[gl][state]")
+{
+    const Scene scene = wall();
+    Renderer renderer = make_renderer(busy_plan());
+    require_ok(renderer.set_scene(scene));
+    require_ok(renderer.import_picture("picture", rows()));
+    check_busy(render_and_read(renderer));
+    const DirtyHost dirty;
+    require_ok(renderer.import_picture("picture", constant_picture({1, 3}, 7.0f)));
+    const Picture later = render_and_read(renderer, "color", {.redraws = true});
+    for (int y = 0; y < 3; ++y)
+        CHECK(later.at(2, y) == 8.0f);
 }
 
 TEST_CASE("the host's state comes back after every call when asked for", "[gl][state]")
@@ -260,7 +298,7 @@ TEST_CASE("the host's state comes back after every call when asked for", "[gl][s
     CHECK(gl_function<PFNGLGETERRORPROC>("glGetError")() == GL_NO_ERROR);
 }
 
-TEST_CASE("a plan that is prepared uses more of the host's texture units than the one that runs, and gives them back", "[gl][state]")
+TEST_CASE("a plan that is prepared uses more of the host's units than the one that runs, and gives them back", "[gl][state]")
 {
     const DirtyHost dirty;
     const std::vector<GLint> before = snapshot();
@@ -270,9 +308,17 @@ TEST_CASE("a plan that is prepared uses more of the host's texture units than th
         const int first = builder.slot(Format::rgba8, "first");
         const int second = builder.slot(Format::rgba8, "second");
         const int sum = builder.slot(Format::rgba8, "sum");
-        builder.draw("sum", "uniform sampler2D a;\nuniform sampler2D b;\nlayout(location = 0) out vec4 c;\n"
-                            "void main() { c = texture(a, uv) + texture(b, uv); }\n", {sum})
-            .reads = {read_slot(first, "a"), read_slot(second, "b")};
+        const bool loads = GENERATE(false, true);
+        Plan::Step& step = builder.draw(
+            "sum",
+            loads ? "layout(rgba8) readonly uniform image2D a;\nlayout(rgba8) readonly uniform image2D b;\nlayout(location = 0) out vec4 c;\n"
+                    "void main() { ivec2 at = ivec2(gl_FragCoord.xy); c = imageLoad(a, at) + imageLoad(b, at); }\n"
+                  : "uniform sampler2D a;\nuniform sampler2D b;\nlayout(location = 0) out vec4 c;\n"
+                    "void main() { c = texture(a, uv) + texture(b, uv); }\n",
+            {sum});
+        if (loads)
+            loads_images(step);
+        step.reads = {loads ? load_slot(first, "a") : read_slot(first, "a"), loads ? load_slot(second, "b") : read_slot(second, "b")};
         Result<PreparedPlan> prepared = renderer.prepare(builder.plan);
         REQUIRE(prepared);
         require_ok(renderer.advance(*prepared));

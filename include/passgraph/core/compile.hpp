@@ -18,6 +18,8 @@ struct Device {
     int max_texture_units = 16;
     int max_color_targets = 8;
     int max_varying_components = 60;
+    /// Images that a draw may load texels from, where the device does that quicker than a sampler fetches them; else 0.
+    int max_loaded_images = 0;
 };
 
 /// Whether passes that say where they are black ("skip" in the header) may keep what follows from them from being drawn.

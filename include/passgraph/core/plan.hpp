@@ -40,10 +40,11 @@ struct Plan {
         enum class Source : std::uint8_t { slot, import };
         Source source = Source::slot;
         int index = 0;       ///< into `slots` or `imports`
-        std::string sampler; ///< the uniform's name: sampler2D, or samplerCube for cube and sky imports
+        std::string sampler; ///< the uniform's name: sampler2D, image2D if `is_loaded`, or samplerCube for cube and sky imports
         Filter filter = Filter::nearest;
         AddressMode wrap = AddressMode::clamp;
         bool has_levels = false; ///< sampled with mip levels (imports only)
+        bool is_loaded = false;  ///< bound to an image unit: whole texels are loaded, nothing is filtered or wrapped
         std::string image;       ///< whose value it is, for people
     };
 
@@ -83,7 +84,7 @@ struct Plan {
         int skipped_by = -1; ///< nothing is drawn, and the targets are black, if this query counted no pixel
         /// Not "": if `skipped_by` counted no pixel this fragment stage is drawn instead; it takes what is black for 0.
         std::string when_skipped;
-        bool is_cleared = true; ///< left out by `skipped_by`, its images are 0, as somebody may look at them
+        bool is_cleared = true; ///< where a step that counts or may be left out draws nothing, its images are 0: somebody may look at them
         std::string black_images; ///< that it takes for 0, for people
         Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
         std::string vertex;  ///< complete GLSL 3.30 sources

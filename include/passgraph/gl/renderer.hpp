@@ -117,7 +117,8 @@ public:
     Result<PreparedPlan> prepare(Plan plan);
     /// Makes one more of its programs and draws one pixel with it, as drivers compile at the first draw. A program whose texts
     /// an earlier plan had is taken over, so that after an edit only the steps that changed cost anything.
-    /// Errors   shader_failed (with the pass file's own line), framebuffer_incomplete, texture_units_exceeded, gl_error.
+    /// Errors   shader_failed (with the pass file's own line), framebuffer_incomplete, texture_units_exceeded, image_units_exceeded,
+    ///          gl_error.
     /// Cost     one program: 40 to 180 ms on llvmpipe when it is new, else below 1 ms.
     Result<void> advance(PreparedPlan& prepared);
     /// Runs the prepared plan from the next frame on, and hands back the one before, as ready as it was. Images that both
