@@ -111,14 +111,15 @@ TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a varia
     const bool shows_bright = GENERATE(false, true);
     const Plan plan = planned(shows_bright ? demo_that_shows_bright() : demo());
     REQUIRE(plan.queries.size() == 1);
-    CHECK(plan.queries.front().images == (shows_bright ? "bright" : "eighth"));
+    CHECK(plan.queries.front().images == "bright");
     const Plan::Step& counting = plan.steps[static_cast<size_t>(plan.queries.front().step)];
-    CHECK(counting.name == (shows_bright ? "bright.anything" : "bright + eighth"));
+    CHECK(counting.name == "bright.anything");
+    REQUIRE(counting.reads.size() == 1);
+    CHECK(counting.reads.front().image == (shows_bright ? "bright" : "view")); // what is called has no texels
     CHECK(counting.counts == 0);
     CHECK(counting.extent == Extent{160, 90});
     CHECK_THAT(counting.fragment, Contains("discard"));
-    const std::vector<std::string> blurs = {"glow.horizontal", "glow.vertical"};
-    CHECK(conditional(plan) == (shows_bright ? std::vector<std::string>{"eighth", "glow.horizontal", "glow.vertical"} : blurs));
+    CHECK(conditional(plan) == std::vector<std::string>{shows_bright ? "eighth" : "bright + eighth", "glow.horizontal", "glow.vertical"});
     const Plan::Step& film = step(plan, "film + shown");
     CHECK(film.skipped_by == 0);
     CHECK(film.black_images == "glow.vertical");
@@ -127,6 +128,55 @@ TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a varia
     REQUIRE(glow != film.reads.end());
     CHECK_THAT(film.fragment, Contains("texture(" + glow->sampler));
     CHECK_THAT(film.when_skipped, !Contains("texture(" + glow->sampler));
+}
+
+TEST_CASE("whole texels are loaded by passes that look at nothing else, where the device does that quicker", "[core][skip]")
+{
+    const auto loaded = [](int most) {
+        CompileOptions options;
+        options.device.max_loaded_images = most;
+        std::vector<std::string> names;
+        for (const Plan::Step& candidate : planned(demo(), options).steps)
+            for (const Plan::Read& read : candidate.reads) {
+                const std::string declaration = "readonly uniform image2D " + read.sampler + ";";
+                CHECK((candidate.fragment.find(declaration) != std::string::npos) == read.is_loaded);
+                if (read.is_loaded)
+                    names.push_back(candidate.name + " loads " + read.image);
+            }
+        return names;
+    };
+    CHECK(loaded(0).empty());
+    CHECK(loaded(1) == std::vector<std::string>{"bright.anything loads view", "bright + eighth loads view"});
+}
+
+TEST_CASE("a pass that shares its draw is looked for in all that the draw stores of it, before anything that it may spare", "[core][skip]")
+{
+    PassLibrary library = library_of();
+    for (const auto& [name, is_black] : {std::pair{"gain", true}, {"mix", false}}) {
+        PassMaker pass(name);
+        pass.input("image", kPointwise, Signal::radiance).output("color", Signal::radiance);
+        if (is_black)
+            pass.pass.black = {{0}};
+        library.add(pass.done());
+    }
+    Chain chain(library);
+    const AnyImage key = chain.add("key", chain.photo());
+    chain.graph().output("glow", chain.add("glow", key)); // declared before the other image of the key's draw
+    chain.graph().output("mix", chain.add("mix", key));
+    const AnyImage smear = chain.add("smear", chain.add("gain", key));
+    CompileOptions options;
+    options.device.max_loaded_images = 1;
+    const Plan plan = chain.plan(smear, options);
+    REQUIRE(plan.queries.size() == 1);
+    CHECK(plan.queries.front().images == "key and gain");
+    REQUIRE(plan.steps.size() == 4);
+    CHECK(plan.steps[0].name == "key + mix + gain");
+    CHECK(plan.steps[1].name == "key.anything");
+    CHECK(plan.steps[1].counts == 0);
+    CHECK(conditional(plan) == std::vector<std::string>{"glow", "smear"});
+    REQUIRE(plan.steps[1].reads.size() == 2);
+    CHECK(plan.steps[1].reads[0].is_loaded);
+    CHECK_FALSE(plan.steps[1].reads[1].is_loaded); // the device loads one
 }
 
 TEST_CASE("a plan that is to draw everything leaves nothing out", "[core][skip]")

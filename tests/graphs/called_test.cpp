@@ -4,6 +4,7 @@
 #include "graphs/graph_runner.hpp"
 #include "support/catch.hpp"
 #include "support/pass_runner.hpp"
+#include "support/test_context.hpp"
 
 using namespace passgraph;
 using namespace passgraph::test;
@@ -51,6 +52,29 @@ TEST_CASE("what is computed where a downsampling looks is what it would read, at
             // largest step between neighbours; three interpolations each add 6 roundings of the value, a sum of 16 taps as many.
             const double bound = (2.0 * 4.0 * 64.0 + 2.0 * 6.0 + 2.0 * 16.0) * kRounding * 4.0;
             CHECK(largest_difference(called, stored) <= static_cast<float>(bound));
+        }
+}
+
+TEST_CASE("a texel that is loaded is the one that a sampler finds, to the last bit", "[graphs][called]")
+{
+    const int most = query_device(test_context().loader())->max_loaded_images;
+    for (const char* codec : {"rgba16f", "rgba32f", "r11f_g11f_b10f"})
+        for (const Extent extent : {Extent{64, 24}, Extent{17, 13}, Extent{1, 31}, Extent{1, 1}}) {
+            CAPTURE(codec, extent.width, extent.height);
+            const Graph graph = graph_of(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
+                "dim": { "pass": "vignette", "inputs": { "image": "photo" }, "codecs": { "color": ")" + std::string(codec) + R"(" } },
+                "bright": { "pass": "bright", "inputs": { "image": "dim" } },
+                "small": { "pass": "downsample", "inputs": { "image": "bright" }, "codecs": { "color": "rgba32f" } } },
+              "outputs": { "color": "small" } })");
+            GraphRun run;
+            run.pictures = {{"photo", noise(extent, 3, 0.0f, 4.0f, 350)}};
+            run.options.extent = extent;
+            const Picture sampled = run_graph(graph, run).at("color");
+            run.options.device.max_loaded_images = most;
+            const auto plan = compile(graph, run.options);
+            REQUIRE(plan);
+            CHECK(plan->steps.back().reads.front().is_loaded == (most > 0));
+            CHECK(run_graph(graph, run).at("color").texels == sampled.texels);
         }
 }
 

@@ -33,9 +33,10 @@ struct TypedGraph {
     std::vector<std::vector<TypedImage>> images;
     const PassLibrary* library = nullptr; ///< where derivations are found
 
-    /// A node that is 0 everywhere exactly when an image is; only its pixels are counted.
+    /// A node that is 0 everywhere exactly when these images are, as the draws behind it read them; only its pixels are counted.
     struct Watch {
-        ImageRef image;
+        int node = 0; ///< the pass that they are black with
+        std::vector<ImageRef> images;
         int counter = 0;
     };
     std::vector<Watch> watches{};
@@ -125,7 +126,7 @@ struct Condition {
     /// Not empty: nothing is left out, but a simpler variant is drawn instead, for which these images are 0.
     std::set<ImageRef, ImageLess> black_inputs{};
 
-    bool is_cleared = false; ///< left out, its images are read all the same, by what does not know, or by the host
+    bool is_cleared = false; ///< where nothing is drawn, its images are read all the same, by what does not know, or by the host
 
     bool is_free() const { return counts < 0 && skipped_by < 0; }
 };
@@ -170,7 +171,7 @@ bool may_skip(const TypedGraph& graph, int node);
 Images blackened_by(const Specialised& special, Images black);
 /// Whether a full-screen draw leaves nothing in memory but these images, and 0 as the code of 0.
 bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& draw, const Images& images);
-/// Adds what counts the pixels of passes whose own draw cannot, before fusion.
+/// Adds what looks for pixels of passes whose own draw cannot count them for nothing, before fusion.
 Specialised watch(const Specialised& special, const CompileOptions& options);
 /// Which draws the device leaves out where nothing is bright.
 Conditions find_conditions(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,

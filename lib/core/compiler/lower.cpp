@@ -65,6 +65,7 @@ private:
         instance.is_static = node.is_static;
         instance.selections = node.selections;
         instance.is_called = draw_.called.contains(node_index);
+        instance.looks_at_texels = looks_at_texels(node_index);
         instance.may_skip = may_skip_at_all(options_); // drawing everything, the pass speaks for itself
         instance.is_black = options_.skipping == Skipping::always && options_.specialise && !node.pass->skip_when.empty();
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
@@ -117,9 +118,10 @@ private:
         source.is_black_when_skipped = condition_.black_inputs.contains(wire->from);
         source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
                                  encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
+        source.is_loaded = may_load(node_index, wire->from);
         for (const Layout::Place& place : encoding_.of(wire->from).places)
             source.pieces.push_back(
-                {sampler_for(wire->from, place.target, port, filter_for(node, port, image)), place.channels});
+                {sampler_for(wire->from, place.target, port, filter_for(node, port, image), source.is_loaded), place.channels});
         source_.reads.camera |= source.codec.packing == Packing::linear;
         return source;
     }
@@ -135,8 +137,29 @@ private:
         return is_own_texel ? Filter::nearest : filter_of(*node.pass, port, node.selections);
     }
 
+    /// Passes that are called, and those that count.
+    bool looks_at_texels(int node) const
+    {
+        const auto is_counter = [&](const TypedGraph::Watch& watch) { return watch.counter == node; };
+        return draw_.called.contains(node) || std::any_of(graph_.watches.begin(), graph_.watches.end(), is_counter);
+    }
+
+    /// What the host supplies may be in a format that cannot be loaded.
+    bool may_load(int node, ImageRef image) const
+    {
+        if (!looks_at_texels(node))
+            return false;
+        const std::set<TargetRef> targets = encoding_.targets_of(image);
+        const auto loaded = std::count_if(step_.reads.begin(), step_.reads.end(), [](const Plan::Read& read) { return read.is_loaded; });
+        return !imports_.contains(image) && static_cast<int>(loaded) + static_cast<int>(targets.size()) <= options_.device.max_loaded_images &&
+               std::all_of(targets.begin(), targets.end(), [&](TargetRef target) {
+                   const Format format = encoding_.target(target).format;
+                   return !is_depth(format) && format != Format::srgb8_a8;
+               });
+    }
+
     /// The sampler that reads an image in the port's way; equal ways share one.
-    std::string sampler_for(ImageRef image, int target, const InputPort& port, Filter filter)
+    std::string sampler_for(ImageRef image, int target, const InputPort& port, Filter filter, bool is_loaded)
     {
         Plan::Read read;
         const auto import = imports_.find(image);
@@ -145,15 +168,17 @@ private:
         read.filter = filter;
         read.wrap = port.wrap;
         read.has_levels = port.has_levels || port.over == Over::sphere;
+        read.is_loaded = is_loaded;
         read.image = import == imports_.end() ? target_name(graph_, encoding_, {image.node, target}) : graph_.name(image);
         const auto same = std::find_if(step_.reads.begin(), step_.reads.end(), [&](const Plan::Read& other) {
             return other.source == read.source && other.index == read.index && other.filter == read.filter &&
-                   other.wrap == read.wrap && other.has_levels == read.has_levels;
+                   other.wrap == read.wrap && other.has_levels == read.has_levels && other.is_loaded == read.is_loaded;
         });
         if (same != step_.reads.end())
             return same->sampler;
         read.sampler = fmt::format("t{}", step_.reads.size());
-        source_.samplers.push_back({read.sampler, port.over == Over::sphere});
+        const std::string format(is_loaded ? name(encoding_.target({image.node, target}).format) : ""); // GLSL has the same names
+        source_.samplers.push_back({read.sampler, port.over == Over::sphere, format});
         step_.reads.push_back(read);
         return read.sampler;
     }

@@ -85,7 +85,7 @@ public:
     {
         for (int node = 0; node < graph_.node_count(); ++node)
             if (may_skip(graph_, node) && draws_.draw_of[static_cast<size_t>(node)] >= 0)
-                find_counting({node, 0});
+                find_counting(node);
         for (size_t time = 0; time < order_.size(); ++time)
             if (Condition& condition = condition_at(time); condition.skipped_by >= 0 && condition.black_inputs.empty())
                 condition.is_cleared = is_read_when_left_out(time);
@@ -115,26 +115,26 @@ private:
     Condition& condition_at(size_t time) { return result_.of_draw[static_cast<size_t>(order_[time])]; }
 
     /// A draw that was made for it, or the first that is black when the pass is: the earlier, the more is left out.
-    void find_counting(ImageRef image)
+    void find_counting(int node)
     {
-        const Images black = blackened_by(special_, {image});
+        const Images black = blackened_by(special_, {{node, 0}});
         const auto watch = std::find_if(graph_.watches.begin(), graph_.watches.end(),
-                                        [&](const TypedGraph::Watch& w) { return w.image == image; });
+                                        [&](const TypedGraph::Watch& w) { return w.node == node; });
         const int made = watch == graph_.watches.end() ? -1 : draws_.draw_of[static_cast<size_t>(watch->counter)];
         for (size_t time = 0; time < order_.size(); ++time) {
             const Draw& draw = draw_at(time);
             if (made >= 0 ? order_[time] != made : !stores_only(graph_, encoding_, draw, black))
                 continue;
             if (condition_at(time).is_free())
-                find_dependent(time, made >= 0 ? Images{image} : Images{draw.stored.begin(), draw.stored.end()});
+                find_dependent(time, made >= 0 ? watch->images : draw.stored, made >= 0);
             return;
         }
     }
 
-    /// `counted`: what is 0 everywhere when the counting draw draws no pixel.
-    void find_dependent(size_t counting, const Images& counted)
+    /// `counted`: what is 0 everywhere when the counting draw draws no pixel. `is_made`: that draws nothing that is read.
+    void find_dependent(size_t counting, const std::vector<ImageRef>& counted, bool is_made)
     {
-        const Images black = blackened_by(special_, counted);
+        const Images black = blackened_by(special_, {counted.begin(), counted.end()});
         const int query = static_cast<int>(result_.counted.size());
         bool has_any = false;
         for (size_t time = counting + 1; time < order_.size(); ++time) {
@@ -155,6 +155,7 @@ private:
         if (!has_any)
             return;
         condition_at(counting).counts = query;
+        condition_at(counting).is_cleared = !is_made;
         std::vector<std::string> names;
         for (const ImageRef image : counted)
             names.push_back(graph_.name(image));

@@ -167,9 +167,17 @@ void add_instance(ProgramText& text, const StepSource& step, const Instance& ins
     text.add_module(instance.pass->body, prefix, renames);
     if (!instance.pass->skip_when.empty() && instance.may_skip)
         text.add_module(skip_text(*instance.pass), prefix, std::move(renames));
-    if (instance.is_called)
-        text.add_line(fmt::format("{} {}(vec2 uv) {{ return {}; }}", glsl_type(info(instance.signals.front()).components),
-                                  called_name(instance), guarded_output(step, instance, 0, only_value(instance))));
+    if (!instance.is_called)
+        return;
+    const auto [width, height] = instance.inputs.front().extent; // all are of one
+    text.add_line(fmt::format(R"({} {}(vec2 texel)
+{{
+    passgraph_texel = ivec2(texel);
+    vec2 uv = (texel + 0.5) * vec2({:#}, {:#});
+    return {};
+}})",
+                              glsl_type(info(instance.signals.front()).components), called_name(instance), 1.0 / width, 1.0 / height,
+                              guarded_output(step, instance, 0, only_value(instance))));
 }
 
 /// Leaves a pixel out if all that it would store is 0.
@@ -197,10 +205,22 @@ void add_target(ProgramText& text, const std::vector<StoredValue>& values, size_
                                   std::string_view("rgba").substr(stored.first_code, stored.channels.size())));
 }
 
+std::string sampler_text(const SamplerDeclaration& sampler, const Flats& flats)
+{
+    if (sampler.is_cube)
+        return fmt::format("uniform samplerCube {};\n{}", sampler.name,
+                           declared(flats, "vec3", harmonics_name(sampler.name), kHarmonics));
+    if (!sampler.loaded_format.empty())
+        return fmt::format("layout({}) readonly uniform image2D {};\n", sampler.loaded_format, sampler.name);
+    return fmt::format("uniform sampler2D {};\n", sampler.name);
+}
+
 std::string fragment_text(const StepSource& step, const Flats& flats, std::vector<std::string>& sources, Part part)
 {
     ProgramText text(sources);
     text.add_line("#version 330 core");
+    if (std::any_of(step.samplers.begin(), step.samplers.end(), [](const auto& sampler) { return !sampler.loaded_format.empty(); }))
+        text.add_line("#extension GL_ARB_shader_image_load_store : require");
     if (step.kind == PassKind::geometry)
         text.add_line("in vec3 passgraph_placed;\nin vec3 passgraph_facing;\nin vec2 passgraph_uv;");
     else
@@ -208,15 +228,15 @@ std::string fragment_text(const StepSource& step, const Flats& flats, std::vecto
     for (size_t i = 0; i < step.targets.size(); ++i)
         text.add_line(fmt::format("layout(location = {}) out vec4 passgraph_target_{};", i, i));
     for (const SamplerDeclaration& sampler : step.samplers)
-        text.add(sampler.is_cube ? fmt::format("uniform samplerCube {};\n{}", sampler.name,
-                                               declared(flats, "vec3", harmonics_name(sampler.name), kHarmonics))
-                                 : fmt::format("uniform sampler2D {};\n", sampler.name));
+        text.add(sampler_text(sampler, flats));
     if (std::any_of(step.samplers.begin(), step.samplers.end(), [](const auto& sampler) { return sampler.is_cube; }))
         text.add(sphere_functions());
     text.add(glsl_codec_functions());
     text.add(accessors(step.reads, step.kind, step.facts, flats));
     text.add_line(fmt::format("ivec2 pixel() {{ return ivec2(gl_FragCoord.xy); }}\nivec2 pixel_count() {{ return ivec2({}, {}); }}",
                               step.extent.width, step.extent.height));
+    if (std::any_of(step.instances.begin(), step.instances.end(), [](const auto& instance) { return instance.looks_at_texels; }))
+        text.add_line("ivec2 passgraph_texel = ivec2(0);");
     for (const Instance& instance : step.instances)
         add_instance(text, step, instance, flats, part);
     text.add_line("void main()\n{\n    vec2 uv = passgraph_uv;");

@@ -29,6 +29,7 @@ struct InputSource {
     Codec codec;                      ///< texture
     Extent extent;
     bool is_import = false; ///< guarded where read
+    bool is_loaded = false; ///< texture, of a pass that `looks_at_texels`: the texel `passgraph_texel` is loaded
     bool is_tested_depth = false; ///< 0 in the background part
     bool is_black_when_skipped = false; ///< 0 in the variant for that
 };
@@ -44,6 +45,7 @@ struct Instance {
     std::vector<int> selections;     ///< as pass->selections
     bool is_black = false;           ///< its only output is taken to be 0
     bool is_called = false;          ///< computed where other passes look, by the function `called_name`
+    bool looks_at_texels = false;    ///< at centers only, not at the draw's own pixel: sets `passgraph_texel` first
     bool may_skip = true;            ///< its only output is 0 where its "skip" says so
 };
 
@@ -59,6 +61,7 @@ struct StoredValue {
 struct SamplerDeclaration {
     std::string name;
     bool is_cube = false;
+    std::string loaded_format{}; ///< of an image that texels are loaded from; "": it is a sampler
 };
 
 struct StepSource {
@@ -85,6 +88,7 @@ struct StepText {
 };
 
 std::string value_name(const Instance& instance, size_t output);
+/// A function of a texel's index, as a vec2.
 std::string called_name(const Instance& instance);
 std::string uniform_name(int instance_number, std::string_view param);
 

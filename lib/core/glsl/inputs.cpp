@@ -38,10 +38,10 @@ std::string texture_value(const InputSource& source, std::string_view function, 
 void add_call_accessor(ProgramText& text, const InputSource& source, std::string_view type, const std::string& name)
 {
     const auto [width, height] = source.extent;
-    text.add_line(fmt::format("vec2 {}_center(vec2 texel) {{ return (clamp(texel, vec2(0.0), vec2({:#}, {:#})) + 0.5) * vec2({:#}, {:#}); }}", name,
-                              width - 1.0, height - 1.0, 1.0 / width, 1.0 / height));
+    text.add_line(fmt::format("vec2 {}_inside(vec2 texel) {{ return clamp(texel, vec2(0.0), vec2({:#}, {:#})); }}", name, width - 1.0,
+                              height - 1.0));
     if (source.filter == Filter::nearest) {
-        text.add_line(fmt::format("{0} {1}(vec2 uv) {{ return {2}({1}_center(floor(uv * vec2({3:#}, {4:#})))); }}", type, name, source.name,
+        text.add_line(fmt::format("{0} {1}(vec2 uv) {{ return {2}({1}_inside(floor(uv * vec2({3:#}, {4:#})))); }}", type, name, source.name,
                                   static_cast<double>(width), static_cast<double>(height)));
         return;
     }
@@ -50,8 +50,8 @@ void add_call_accessor(ProgramText& text, const InputSource& source, std::string
     vec2 place = uv * vec2({3:#}, {4:#}) - 0.5;
     vec2 low = floor(place);
     vec2 share = place - low;
-    vec2 a = {1}_center(low);
-    vec2 b = {1}_center(low + 1.0);
+    vec2 a = {1}_inside(low);
+    vec2 b = {1}_inside(low + 1.0);
     return mix(mix({2}(a), {2}(vec2(b.x, a.y)), share.x), mix({2}(vec2(a.x, b.y)), {2}(b), share.x), share.y);
 }})",
                               type, name, source.name, static_cast<double>(width), static_cast<double>(height)));
@@ -83,6 +83,8 @@ void add_image_accessor(ProgramText& text, const InputPort& port, const InputSou
     } else if (port.has_levels) {
         add("", "vec2 uv", "textureLod", "uv, 0.0");
         add("_lod", "vec2 uv, float lod", "textureLod", "uv, lod");
+    } else if (source.is_loaded) {
+        add("", "vec2 uv", "imageLoad", "passgraph_texel");
     } else {
         add("", "vec2 uv", "texture", "uv");
     }
