@@ -28,6 +28,8 @@ std::string why_skipped(const Plan& plan, std::size_t step, bool was_skipped)
     const Plan::Step& row = plan.steps[step];
     if (!was_skipped)
         return "";
+    if (row.skipped_by < 0)
+        return "not drawn: its scout found nothing";
     return fmt::format("{}: every pixel of {} is black",
                        row.when_skipped.empty() ? "not drawn" : fmt::format("drawn without {}", row.black_images),
                        plan.queries[static_cast<std::size_t>(row.skipped_by)].images);

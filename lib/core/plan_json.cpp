@@ -50,6 +50,7 @@ Object step_json(const Plan::Step& step, bool with_glsl)
                    {"depth_slot", step.depth_slot < 0 ? Object(nullptr) : Object(step.depth_slot)},
                    {"tested_depth_slot", step.tested_depth_slot < 0 ? Object(nullptr) : Object(step.tested_depth_slot)},
                    {"counts", step.counts < 0 ? Object(nullptr) : Object(step.counts)},
+                   {"scout_extent", step.scout.empty() ? Object(nullptr) : extent_json(step.scout_extent)},
                    {"skipped_by", step.skipped_by < 0 ? Object(nullptr) : Object(step.skipped_by)},
                    {"variant_without", step.black_images},
                    {"uniforms", Object::array()},
@@ -70,6 +71,8 @@ Object step_json(const Plan::Step& step, bool with_glsl)
             json["background"] = step.background;
         if (!step.when_skipped.empty())
             json["when_skipped"] = step.when_skipped;
+        if (!step.scout.empty())
+            json["scout"] = step.scout;
         json["sources"] = step.sources;
     }
     return json;

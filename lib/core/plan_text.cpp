@@ -59,6 +59,9 @@ void add_step(std::string& text, const Plan& plan, size_t index)
     if (step.counts >= 0)
         text += fmt::format("       asks    is any pixel of {} not black? (the device answers, the frame goes on)\n",
                             images_of(plan, step.counts));
+    if (!step.scout.empty())
+        text += fmt::format("       scouts  after a frame without any, {}x{} pixels look first whether there is anything to draw\n",
+                            step.scout_extent.width, step.scout_extent.height);
     if (step.skipped_by >= 0)
         text += step.when_skipped.empty()
                     ? fmt::format("       runs    only if {} has a pixel that is not black; else it is black too\n",

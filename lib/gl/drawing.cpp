@@ -151,6 +151,27 @@ private:
     bool is_on_;
 };
 
+/// Counts pixels; the query 0 means none.
+class Counting {
+public:
+    Counting(const Functions& gl, GLuint query) : gl_(gl), is_on_(query != 0)
+    {
+        if (is_on_)
+            gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query);
+    }
+    ~Counting()
+    {
+        if (is_on_)
+            gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
+    }
+    Counting(const Counting&) = delete;
+    Counting& operator=(const Counting&) = delete;
+
+private:
+    const Functions& gl_;
+    bool is_on_;
+};
+
 /// Whatever is not drawn is black. Outside of any condition, which a clear would be under too.
 void clear_to_black(const DrawInputs& inputs, const Plan::Step& step)
 {
@@ -172,6 +193,19 @@ std::int64_t draw_parts(const DrawInputs& inputs, const Plan::Step& step, StepOb
     return 2;
 }
 
+/// Looks whether the step is to be drawn. What it leaves in the targets is cleared with them: the step counts.
+std::int64_t draw_scout(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects, const StepQueries& queries)
+{
+    use(inputs, step, objects, *objects.scout);
+    inputs.state.viewport(inputs.only_warms_up ? Extent{1, 1} : step.scout_extent);
+    inputs.state.depth(State::Depth::unused);
+    {
+        const Counting counting(inputs.gl, queries.counts);
+        draw_triangle(inputs);
+    }
+    return 1;
+}
+
 std::int64_t draw_variant(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects, GLuint query)
 {
     use(inputs, step, objects, *objects.when_skipped);
@@ -186,8 +220,11 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
 {
     State& state = inputs.state;
     state.draw_framebuffer(objects.framebuffer.id());
-    state.viewport(inputs.only_warms_up ? Extent{1, 1} : step.extent);
     state.encodes_srgb(objects.has_srgb_target);
+    std::int64_t draws = 0;
+    if (queries.scouts || (objects.scout && inputs.only_warms_up))
+        draws += draw_scout(inputs, step, objects, queries);
+    state.viewport(inputs.only_warms_up ? Extent{1, 1} : step.extent);
     use(inputs, step, objects, objects.program);
     if (step.kind == Plan::Step::Kind::geometry) {
         state.depth(State::Depth::tested_and_written);
@@ -198,17 +235,13 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
     // Without inverted conditions there are no variants that know what is black: everybody may look.
     const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
     const bool is_background_black = step.tested_depth_slot >= 0 && step.background.empty();
-    if (is_background_black || (step.counts >= 0 && step.is_cleared) || (queries.skipped_by != 0 && !has_variant && is_read))
+    if (is_background_black || step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
         clear_to_black(inputs, step);
-    std::int64_t draws = 0;
-    if (queries.counts != 0)
-        inputs.gl.BeginQuery(GL_ANY_SAMPLES_PASSED, queries.counts);
     {
-        const Condition condition(inputs.gl, queries.skipped_by, GL_QUERY_WAIT);
+        const Counting counting(inputs.gl, queries.scouts ? 0 : queries.counts);
+        const Condition condition(inputs.gl, queries.scouts ? queries.counts : queries.skipped_by, GL_QUERY_WAIT);
         draws += draw_parts(inputs, step, objects);
     }
-    if (queries.counts != 0)
-        inputs.gl.EndQuery(GL_ANY_SAMPLES_PASSED);
     if (has_variant && (queries.skipped_by != 0 || inputs.only_warms_up))
         draws += draw_variant(inputs, step, objects, queries.skipped_by);
     return draws;

@@ -23,6 +23,7 @@ struct DrawInputs {
 /// The queries that a step's draws have to do with in this frame; 0: none.
 struct StepQueries {
     GLuint counts = 0;     ///< is to count the pixels that are drawn
+    bool scouts = false;   ///< it counts the scout's, and without one the device leaves the step out
     GLuint skipped_by = 0; ///< has counted; without a pixel, the device leaves the step out or draws its variant
 };
 

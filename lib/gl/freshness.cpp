@@ -52,8 +52,8 @@ std::uint64_t content_of(const Plan& plan, const Plan::Step& step)
     const auto add = [&](auto value) { hash = mixed(hash, static_cast<std::uint64_t>(value)); };
     for (const std::string* text : {&step.vertex, &step.fragment, &step.background})
         add(hash_of(*text));
-    // Where nothing is drawn and nothing cleared, its texture holds anything: no image for a plan in which somebody looks at it.
-    add((step.counts >= 0 || step.skipped_by >= 0) && step.when_skipped.empty() && !step.is_cleared);
+    // Left out and not cleared, its texture holds anything: no image for a plan in which somebody looks at it.
+    add(step.skipped_by >= 0 && step.when_skipped.empty() && !step.is_cleared);
     add(plan.extent.width); // the camera's picture
     add(plan.extent.height);
     for (const int slot : step.written_slots()) {

@@ -3,6 +3,25 @@
 
 namespace passgraph::gl {
 
+namespace {
+
+GLuint64 result_of(const Functions& gl, GLuint query)
+{
+    GLuint64 pixels = 0;
+    gl.GetQueryObjectui64v(query, GL_QUERY_RESULT, &pixels);
+    return pixels;
+}
+
+/// Does not wait: what the device has not done yet is not known.
+bool is_known_to_be_none(const Functions& gl, GLuint query)
+{
+    GLuint64 is_available = GL_FALSE;
+    gl.GetQueryObjectui64v(query, GL_QUERY_RESULT_AVAILABLE, &is_available);
+    return is_available != GL_FALSE && result_of(gl, query) == 0;
+}
+
+} // namespace
+
 bool may_count(const Functions& gl, const Plan& plan)
 {
     if (plan.queries.empty())
@@ -18,24 +37,26 @@ bool may_count(const Functions& gl, const Plan& plan)
     return true;
 }
 
-StepQueries queries_of(const Functions& gl, const PlanObjects& objects, size_t step, const std::vector<bool>& answers, bool counts)
+StepQueries queries_of(const Functions& gl, PlanObjects& objects, size_t step, const std::vector<bool>& answers, bool counts)
 {
     const Plan::Step& row = objects.plan.steps[step];
-    const auto id = [&](int query) { return objects.queries[static_cast<size_t>(query)].id(); };
     StepQueries queries;
-    if (row.counts >= 0 && counts)
-        queries.counts = id(row.counts);
+    if (row.counts >= 0 && counts) {
+        CountingQuery& query = objects.queries[static_cast<size_t>(row.counts)];
+        queries.counts = query.object.id();
+        queries.scouts = query.has_counted && !row.scout.empty() && is_known_to_be_none(gl, queries.counts);
+        query.has_counted = true;
+    }
     const bool is_possible = row.when_skipped.empty() || gl.has_inverted_conditions;
     if (row.skipped_by >= 0 && is_possible && answers[static_cast<size_t>(row.skipped_by)])
-        queries.skipped_by = id(row.skipped_by);
+        queries.skipped_by = objects.queries[static_cast<size_t>(row.skipped_by)].object.id();
     return queries;
 }
 
-bool counted_nothing(const Functions& gl, GLuint query)
+bool was_skipped(const Functions& gl, const StepQueries& queries)
 {
-    GLuint64 pixels = 0;
-    gl.GetQueryObjectui64v(query, GL_QUERY_RESULT, &pixels);
-    return pixels == 0;
+    const GLuint asked = queries.scouts ? queries.counts : queries.skipped_by;
+    return asked != 0 && result_of(gl, asked) == 0;
 }
 
 } // namespace passgraph::gl

@@ -160,7 +160,7 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     const std::vector<bool> stale = objects_.freshness.stale(objects_.plan, versions(), frame.redraws);
     const bool counts = gl::may_count(driver_.gl, objects_.plan);
     const std::vector<bool> answers = objects_.freshness.answers(objects_.plan, stale, counts);
-    std::vector<GLuint> conditions(stale.size(), 0);
+    std::vector<gl::StepQueries> queries(stale.size());
     objects_.timing.mark_start(driver_.gl, state_);
     for (size_t i = 0; i < objects_.steps.size(); ++i) {
         const Plan::Step& step = objects_.plan.steps[i];
@@ -171,9 +171,8 @@ Result<void> Renderer::Impl::render(const Frame& frame)
         }
         call.watch.enter(fmt::format("step `{}`", step.name));
         if (stale[i]) {
-            const gl::StepQueries queries = gl::queries_of(driver_.gl, objects_, i, answers, counts);
-            draws_ += gl::draw_step(inputs, step, objects_.steps[i], queries);
-            conditions[i] = queries.skipped_by;
+            queries[i] = gl::queries_of(driver_.gl, objects_, i, answers, counts);
+            draws_ += gl::draw_step(inputs, step, objects_.steps[i], queries[i]);
         }
         objects_.timing.mark_end_of(driver_.gl, i);
         if (checks_each_step_)
@@ -190,7 +189,7 @@ Result<void> Renderer::Impl::render(const Frame& frame)
     objects_.freshness.have_run(objects_.plan, stale, counts);
     objects_.timing.frame_done();
     drawn_ = stale;
-    conditions_ = std::move(conditions);
+    queries_ = std::move(queries);
     is_first_frame_ = false;
     return {};
 }
@@ -263,8 +262,7 @@ std::vector<StepTime> Renderer::Impl::step_times() const
     std::vector<StepTime> times = objects_.timing.read(driver_.gl, objects_.plan);
     for (size_t i = 0; i < std::min(times.size(), drawn_.size()); ++i) {
         times[i].was_drawn = drawn_[i];
-        if (conditions_[i] != 0 && gl::counted_nothing(driver_.gl, conditions_[i]))
-            times[i].was_skipped = true;
+        times[i].was_skipped = gl::was_skipped(driver_.gl, queries_[i]);
     }
     return times;
 }

@@ -82,7 +82,7 @@ private:
     std::uint64_t scene_version_ = 0;
     std::uint64_t frame_version_ = 0;
     std::vector<bool> drawn_; ///< by step, in the last frame
-    std::vector<GLuint> conditions_; ///< by step, in the last frame: the query that the device asked; 0: none
+    std::vector<gl::StepQueries> queries_; ///< by step, in the last frame
     bool is_first_frame_ = true;
     bool checks_each_step_ = true;
     std::int64_t draws_ = 0;

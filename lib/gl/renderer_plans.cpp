@@ -27,7 +27,7 @@ void Renderer::Impl::take_over(gl::Upload& upload, gl::PlanObjects&& objects, gl
     gl::carry_over(upload, objects, objects_, versions());
     is_first_frame_ = checks_each_step_ = true;
     drawn_.clear();
-    conditions_.clear();
+    queries_.clear();
 }
 
 Result<void> Renderer::Impl::build(Plan plan)

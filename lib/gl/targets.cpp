@@ -135,7 +135,7 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
         return tl::unexpected(std::move(errors));
     StepObjects objects{.framebuffer = std::move(*framebuffer), .program = std::move(*program)};
     for (const auto& [fragment, other] :
-         {std::pair{&step.background, &objects.background}, std::pair{&step.when_skipped, &objects.when_skipped}}) {
+         {std::pair{&step.background, &objects.background}, {&step.when_skipped, &objects.when_skipped}, {&step.scout, &objects.scout}}) {
         if (fragment->empty())
             continue;
         Plan::Step variant = step;
@@ -168,7 +168,7 @@ Result<StepObjects> create_step(Upload& upload, const Workshop& workshop, const 
 std::vector<Program*> StepObjects::programs()
 {
     std::vector<Program*> all = {&program};
-    for (std::optional<Program>* other : {&background, &when_skipped})
+    for (std::optional<Program>* other : {&background, &when_skipped, &scout})
         if (*other)
             all.push_back(&**other);
     return all;
@@ -191,7 +191,7 @@ Result<PlanObjects> begin_plan_objects(Upload& upload, Plan plan, bool is_timed)
     if (is_timed)
         objects.timing = Timing(upload, plan.steps.size());
     for (size_t query = 0; query < plan.queries.size(); ++query)
-        objects.queries.emplace_back(upload.driver);
+        objects.queries.push_back({QueryObject(upload.driver)});
     objects.freshness = Freshness(plan);
     objects.plan = std::move(plan);
     return objects;

@@ -25,6 +25,7 @@ struct StepObjects {
     Program program;
     std::optional<Program> background{};  ///< of a step in two parts
     std::optional<Program> when_skipped{}; ///< of a step that has a variant for what is black
+    std::optional<Program> scout{};       ///< of a step that is to be looked for first
     std::vector<ReadBinding> bindings{}; ///< per read
     bool has_srgb_target = false;
 
@@ -32,11 +33,17 @@ struct StepObjects {
     std::vector<Program*> programs();
 };
 
+/// A query of a plan.
+struct CountingQuery {
+    QueryObject object;
+    bool has_counted = false;
+};
+
 struct PlanObjects {
     Plan plan;
     std::vector<TextureObject> slots;
     std::vector<StepObjects> steps;
-    std::vector<QueryObject> queries;
+    std::vector<CountingQuery> queries;
     Timing timing;
     Freshness freshness;
     Units units{.textures = 1}; ///< that steps use, and uploads: at least unit 0

@@ -77,7 +77,8 @@ void print_glsl(const Plan& plan)
         for (const auto& [stage, text] : {std::pair{"vertex stage", &step.vertex},
                                           {step.tested_depth_slot < 0 ? "fragment stage" : "fragment stage of surfaces", &step.fragment},
                                           {"fragment stage of the background", &step.background},
-                                          {"fragment stage when skipped", &step.when_skipped}})
+                                          {"fragment stage when skipped", &step.when_skipped},
+                                          {"fragment stage of the scout", &step.scout}})
             if (!text->empty())
                 fmt::print("\n// step {}: {}, {}\n{}", i + 1, step.name, stage, *text);
         for (size_t source = 0; source < step.sources.size(); ++source)

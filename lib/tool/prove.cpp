@@ -43,8 +43,9 @@ Result<Drawing> draw(const Job& job, const CompileOptions& options, GlLoader loa
     Result<Renderer> renderer = create_renderer(job, options, {.loader = loader, .is_timed = true});
     if (!renderer)
         return tl::unexpected(renderer.error());
-    if (const Result<void> drawn = renderer->render(); !drawn)
-        return tl::unexpected(drawn.error());
+    for (const bool is_second : {false, true}) // the first frame has none before it from which scouts could be sent out
+        if (const Result<void> drawn = renderer->render({.redraws = is_second}); !drawn)
+            return tl::unexpected(drawn.error());
     Drawing drawing{.plan = renderer->plan(), .outputs = {}};
     const std::vector<StepTime> times = renderer->step_times();
     for (size_t i = 0; i < times.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <passgraph/core/graph_file.hpp>
 
 #include "core_support.hpp"
+#include "skip_support.hpp"
 #include "support/catch.hpp"
 
 using namespace passgraph;
@@ -11,13 +12,6 @@ using namespace passgraph::test;
 using Catch::Contains;
 
 namespace {
-
-Graph demo()
-{
-    auto graph = load_graph(std::string(PASSGRAPH_SOURCE_DIR) + "/samples/deferred_demo/bloom.graph.json", builtin_passes());
-    REQUIRE(graph);
-    return *graph;
-}
 
 /// The demo, with its bright part to be looked at: that must be stored, by the draw that lights.
 Graph demo_that_shows_bright()
@@ -36,16 +30,6 @@ const Plan::Step& step(const Plan& plan, const std::string& name)
     return plan.steps.front();
 }
 
-/// Names of the steps that are left out without a pixel.
-std::vector<std::string> conditional(const Plan& plan)
-{
-    std::vector<std::string> names;
-    for (const Plan::Step& candidate : plan.steps)
-        if (candidate.skipped_by >= 0 && candidate.when_skipped.empty())
-            names.push_back(candidate.name);
-    return names;
-}
-
 bool leaves_nothing_out(const Plan& plan)
 {
     return plan.queries.empty() && std::all_of(plan.steps.begin(), plan.steps.end(), [](const Plan::Step& candidate) {
@@ -54,56 +38,6 @@ bool leaves_nothing_out(const Plan& plan)
            });
 }
 
-constexpr Access kPointwise = {AccessClass::pointwise, 0};
-constexpr Access kGather = {AccessClass::gather, 2};
-
-/// `key` says where it is black; `glow` and `smear` hand black on, `lift` does not; `both` is black when both inputs are.
-PassLibrary library_of(Signal signal = Signal::radiance)
-{
-    PassLibrary library;
-    PassMaker key("key");
-    key.input("image", kPointwise, signal).output("color", signal).body("vec3 key(vec2 uv) { return image(uv); }\n");
-    key.pass.skip_when = "image(uv).r <= 0.5";
-    library.add(key.done());
-    for (const auto& [name, access, is_black] : {std::tuple{"glow", kGather, true}, {"smear", kGather, true}, {"lift", kGather, false}}) {
-        PassMaker pass(name);
-        pass.input("image", access, signal).output("color", signal);
-        if (is_black)
-            pass.pass.black = {{0}};
-        library.add(pass.done());
-    }
-    PassMaker both("both");
-    both.input("image", kPointwise, signal).input("glow", kGather, signal).output("color", signal);
-    both.pass.black = {{0, 1}};
-    library.add(both.done());
-    return library;
-}
-
-class Chain {
-public:
-    explicit Chain(const PassLibrary& library) : graph_(library) {}
-    AnyImage photo() { return graph_.picture<Radiance>("photo"); }
-    AnyImage add(const std::string& pass, AnyImage image) { return add(pass, {{"image", image}}); }
-    AnyImage add(const std::string& pass, std::vector<std::pair<std::string, AnyImage>> inputs)
-    {
-        PassArguments arguments;
-        for (const auto& [port, image] : inputs)
-            arguments.inputs.push_back({port, image});
-        return graph_.add(pass, arguments)[""];
-    }
-    Plan plan(AnyImage shown, CompileOptions options = {})
-    {
-        graph_.output("color", shown);
-        options.extent = {64, 64};
-        options.picture_extents = {{"photo", {64, 64}}};
-        return planned(graph_, options);
-    }
-    Graph& graph() { return graph_; }
-
-private:
-    Graph graph_;
-};
-
 } // namespace
 
 TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a variant without it", "[core][skip]")
@@ -111,15 +45,16 @@ TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a varia
     const bool shows_bright = GENERATE(false, true);
     const Plan plan = planned(shows_bright ? demo_that_shows_bright() : demo());
     REQUIRE(plan.queries.size() == 1);
-    CHECK(plan.queries.front().images == "bright");
+    CHECK(plan.queries.front().images == "eighth");
     const Plan::Step& counting = plan.steps[static_cast<size_t>(plan.queries.front().step)];
-    CHECK(counting.name == "bright.anything");
-    REQUIRE(counting.reads.size() == 1);
+    CHECK(counting.name == (shows_bright ? "eighth" : "bright + eighth"));
     CHECK(counting.reads.front().image == (shows_bright ? "bright" : "view")); // what is called has no texels
+    CHECK(counting.scout_extent == Extent{160, 90});
+    CHECK(counting.scout.empty() == false);
     CHECK(counting.counts == 0);
     CHECK(counting.extent == Extent{160, 90});
     CHECK_THAT(counting.fragment, Contains("discard"));
-    CHECK(conditional(plan) == std::vector<std::string>{shows_bright ? "eighth" : "bright + eighth", "glow.horizontal", "glow.vertical"});
+    CHECK(conditional(plan) == std::vector<std::string>{"glow.horizontal", "glow.vertical"});
     const Plan::Step& film = step(plan, "film + shown");
     CHECK(film.skipped_by == 0);
     CHECK(film.black_images == "glow.vertical");
@@ -128,55 +63,6 @@ TEST_CASE("the demo's bloom runs only if a pixel is bright, and film has a varia
     REQUIRE(glow != film.reads.end());
     CHECK_THAT(film.fragment, Contains("texture(" + glow->sampler));
     CHECK_THAT(film.when_skipped, !Contains("texture(" + glow->sampler));
-}
-
-TEST_CASE("whole texels are loaded by passes that look at nothing else, where the device does that quicker", "[core][skip]")
-{
-    const auto loaded = [](int most) {
-        CompileOptions options;
-        options.device.max_loaded_images = most;
-        std::vector<std::string> names;
-        for (const Plan::Step& candidate : planned(demo(), options).steps)
-            for (const Plan::Read& read : candidate.reads) {
-                const std::string declaration = "readonly uniform image2D " + read.sampler + ";";
-                CHECK((candidate.fragment.find(declaration) != std::string::npos) == read.is_loaded);
-                if (read.is_loaded)
-                    names.push_back(candidate.name + " loads " + read.image);
-            }
-        return names;
-    };
-    CHECK(loaded(0).empty());
-    CHECK(loaded(1) == std::vector<std::string>{"bright.anything loads view", "bright + eighth loads view"});
-}
-
-TEST_CASE("a pass that shares its draw is looked for in all that the draw stores of it, before anything that it may spare", "[core][skip]")
-{
-    PassLibrary library = library_of();
-    for (const auto& [name, is_black] : {std::pair{"gain", true}, {"mix", false}}) {
-        PassMaker pass(name);
-        pass.input("image", kPointwise, Signal::radiance).output("color", Signal::radiance);
-        if (is_black)
-            pass.pass.black = {{0}};
-        library.add(pass.done());
-    }
-    Chain chain(library);
-    const AnyImage key = chain.add("key", chain.photo());
-    chain.graph().output("glow", chain.add("glow", key)); // declared before the other image of the key's draw
-    chain.graph().output("mix", chain.add("mix", key));
-    const AnyImage smear = chain.add("smear", chain.add("gain", key));
-    CompileOptions options;
-    options.device.max_loaded_images = 1;
-    const Plan plan = chain.plan(smear, options);
-    REQUIRE(plan.queries.size() == 1);
-    CHECK(plan.queries.front().images == "key and gain");
-    REQUIRE(plan.steps.size() == 4);
-    CHECK(plan.steps[0].name == "key + mix + gain");
-    CHECK(plan.steps[1].name == "key.anything");
-    CHECK(plan.steps[1].counts == 0);
-    CHECK(conditional(plan) == std::vector<std::string>{"glow", "smear"});
-    REQUIRE(plan.steps[1].reads.size() == 2);
-    CHECK(plan.steps[1].reads[0].is_loaded);
-    CHECK_FALSE(plan.steps[1].reads[1].is_loaded); // the device loads one
 }
 
 TEST_CASE("a plan that is to draw everything leaves nothing out", "[core][skip]")
@@ -346,15 +232,18 @@ TEST_CASE("a plan says in words what is left out when", "[core][skip][plan]")
 {
     const Plan plan = planned(demo_that_shows_bright());
     const std::string text = to_text(plan);
-    CHECK_THAT(text, Contains("asks    is any pixel of bright not black?"));
-    CHECK_THAT(text, Contains("runs    only if bright has a pixel that is not black; else it is black too"));
-    CHECK_THAT(text, Contains("variant without glow.vertical, unless bright has a pixel that is not black"));
+    CHECK_THAT(text, Contains("asks    is any pixel of eighth not black?"));
+    CHECK_THAT(text, Contains("runs    only if eighth has a pixel that is not black; else it is black too"));
+    CHECK_THAT(text, Contains("variant without glow.vertical, unless eighth has a pixel that is not black"));
+    CHECK_THAT(text, Contains("scouts  after a frame without any, 160x90 pixels look first whether there is anything to draw"));
     const auto json = nlohmann::json::parse(to_json(plan, true));
     CHECK(json["queries"].size() == 1);
-    CHECK(json["queries"][0]["images"] == "bright");
+    CHECK(json["queries"][0]["images"] == "eighth");
     for (size_t i = 0; i < plan.steps.size(); ++i) {
         CHECK(json["steps"][i]["skipped_by"].is_null() == (plan.steps[i].skipped_by < 0));
         CHECK(json["steps"][i]["counts"].is_null() == (plan.steps[i].counts < 0));
+        CHECK(json["steps"][i]["scout_extent"].is_null() == plan.steps[i].scout.empty());
+        CHECK(json["steps"][i].contains("scout") == !plan.steps[i].scout.empty());
         CHECK(json["steps"][i].contains("when_skipped") == !plan.steps[i].when_skipped.empty());
     }
     CHECK_THAT(to_dot(plan), Contains("only if not black") && Contains("simpler if black") && Contains("style=dashed"));

@@ -76,6 +76,45 @@ TEST_CASE("what a query counts decides what is drawn, frame by frame", "[gl][ski
     }
 }
 
+// The scout of these tests finds what `hint` says, so that one can tell whether it was asked.
+TEST_CASE("after a frame without a pixel a scout decides whether the step is drawn, after one with pixels it stays at home", "[gl][skip][scout]")
+{
+    Plan plan = conditional_plan(0.0);
+    Plan::Step& key = plan.steps.front();
+    key.uniforms.push_back({.name = "hint", .place = "key.hint", .type = ParamType::float_, .value = Value(0.0), .lowest = 0.0, .highest = 9.0});
+    key.scout = "#version 330 core\nin vec2 uv;\nuniform float hint;\nlayout(location = 0) out vec4 color;\n"
+                "void main() { if (hint == 0.0 || int(gl_FragCoord.x) != 1) discard; color = vec4(7.0); }";
+    key.scout_extent = {2, 1};
+    Renderer renderer = make_renderer(plan, {.is_timed = true, .is_poisoned = true});
+    struct Case {
+        double light;
+        double hint;
+        bool is_scouted;
+        float key; ///< its value
+    };
+    for (const Case& now : {Case{0.0, 0.0, false, 0.0f}, // the first frame: nobody knows
+                            Case{1.0, 0.0, true, 0.0f},  // scouted: left out, whatever it would have drawn
+                            Case{1.0, 1.0, true, 1.0f},  // scouted and drawn
+                            Case{2.0, 0.0, false, 2.0f}, // after light, not asked
+                            Case{0.0, 1.0, false, 0.0f},
+                            Case{0.0, 2.0, true, 0.0f},   // what it draws does not stay
+                            Case{3.0, 3.0, false, 3.0f}}) { // it had found something
+        CAPTURE(now.light, now.hint);
+        require_ok(renderer.set("key.light", Value(now.light)));
+        require_ok(renderer.set("key.hint", Value(now.hint)));
+        const std::int64_t before = renderer.counters().draws;
+        require_ok(renderer.render({.redraws = true}));
+        renderer.finish();
+        CHECK(renderer.counters().draws - before == (now.is_scouted ? 5 : 4)); // `film` has two variants
+        CHECK(skipped(renderer).front() == (now.is_scouted && now.hint == 0.0));
+        CHECK(renderer.read("key")->at(1, 1) == now.key);
+        CHECK(renderer.read("key")->at(3, 2) == now.key);
+        // By what was counted last, which is the scout's pixels if it was sent out.
+        const bool is_dark = now.is_scouted ? now.hint == 0.0 : now.light == 0.0;
+        CHECK(renderer.read("film")->at(1, 1) == Approx(is_dark ? 0.75 : 0.5 + 2.0 * now.light + 1.0e-3));
+    }
+}
+
 TEST_CASE("a step that runs again alone goes by what was counted last", "[gl][skip]")
 {
     for (const double light : {0.0, 1.0}) {
@@ -163,7 +202,7 @@ TEST_CASE("without inverted conditions a step of two variants is drawn as it is"
     REQUIRE(driver);
     gl::PlanObjects objects;
     objects.plan = conditional_plan(0.0);
-    objects.queries.emplace_back(*driver);
+    objects.queries.push_back({gl::QueryObject(*driver)});
     for (const bool has_inverted : {true, false}) {
         driver->gl.has_inverted_conditions = has_inverted;
         const auto queries = [&](size_t step, bool answers, bool counts) { return gl::queries_of(driver->gl, objects, step, {answers}, counts); };

@@ -151,17 +151,15 @@ TEST_CASE("the lighting, the sky and the bright pass are one step; where nobody 
     Graph graph = sample_graph("deferred_demo/bloom.graph.json");
     const auto called = compile(graph);
     REQUIRE(called);
-    REQUIRE(called->steps.size() == 8);
+    REQUIRE(called->steps.size() == 7);
     CHECK(called->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view");
-    CHECK(called->steps[3].name == "bright.anything"); // looks first
-    CHECK(called->steps[4].name == "bright + eighth");
+    CHECK(called->steps[3].name == "bright + eighth");
     graph.output("bright", AnyImage(*graph.find_image("bright")));
     const auto plan = compile(graph);
     REQUIRE(plan);
-    REQUIRE(plan->steps.size() == 8);
+    REQUIRE(plan->steps.size() == 7);
     CHECK(plan->steps[1].name == "lit.share"); // the split-sum table, which reads nothing
     CHECK(plan->steps[2].name == "surface.surface_from_atlas + surface.position_from_depth + lit.surface + view + bright");
-    CHECK(plan->steps[3].name == "bright.anything");
 }
 
 TEST_CASE("the photo stack brightens, glows and frames any picture", "[graphs][photo]")

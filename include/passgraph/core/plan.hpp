@@ -81,10 +81,14 @@ struct Plan {
         int tested_depth_slot = -1;
         std::string background;
         int counts = -1;     ///< the query that asks whether any pixel of this step is not black; black ones are not drawn
+        /// Not "": after a frame in which the query of `counts` counted no pixel, this fragment stage looks first, over
+        /// `scout_extent`, and the step is drawn only if a pixel of that is drawn.
+        std::string scout;
+        Extent scout_extent;
         int skipped_by = -1; ///< nothing is drawn, and the targets are black, if this query counted no pixel
         /// Not "": if `skipped_by` counted no pixel this fragment stage is drawn instead; it takes what is black for 0.
         std::string when_skipped;
-        bool is_cleared = true; ///< where a step that counts or may be left out draws nothing, its images are 0: somebody may look at them
+        bool is_cleared = true; ///< left out by `skipped_by`, its images are 0, as somebody may look at them
         std::string black_images; ///< that it takes for 0, for people
         Reads host;          ///< camera, lights, frame, elements: which blocks and buffers are bound
         std::string vertex;  ///< complete GLSL 3.30 sources

@@ -12,7 +12,7 @@ Result<Plan> compile(const Graph& graph, const CompileOptions& options)
     if (!typed)
         return tl::unexpected(typed.error());
     const auto whole = derive(*typed);                                      // derive.cpp    what layouts leave out
-    const auto special = watch(specialise(whole, options), options);        // specialise.cpp, watch.cpp  what is needed here
+    const auto special = specialise(whole, options);                        // specialise.cpp what is needed here
     const TypedGraph& needed = special.graph;
     const auto encoding = encode(needed);                                   // encode.cpp    stored how
     const auto live = cull(special, whole, options.cull);                   // cull.cpp      nothing unread

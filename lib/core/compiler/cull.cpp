@@ -12,8 +12,6 @@ std::vector<bool> find_live(const TypedGraph& graph)
     std::vector<bool> is_live(static_cast<size_t>(graph.node_count()), false);
     for (const GraphOutput& output : graph.outputs)
         is_live[static_cast<size_t>(output.from.node)] = true;
-    for (const TypedGraph::Watch& watch : graph.watches) // of passes that are needed
-        is_live[static_cast<size_t>(watch.counter)] = true;
     for (int index = graph.node_count() - 1; index >= 0; --index) {
         if (!is_live[static_cast<size_t>(index)])
             continue;

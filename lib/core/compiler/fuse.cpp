@@ -129,12 +129,6 @@ private:
         return readers == 1 && !is_output;
     }
 
-    static bool names_pixels(const GlslText& text)
-    {
-        return text.text.find("pixel(") != std::string::npos || text.text.find("pixel_count(") != std::string::npos ||
-               std::any_of(text.includes.begin(), text.includes.end(), [](const auto& include) { return names_pixels(*include); });
-    }
-
     void merge(int a, int b)
     {
         std::vector<int>& into = members_[static_cast<size_t>(std::min(a, b))];
@@ -286,6 +280,17 @@ private:
 };
 
 } // namespace
+
+bool names_pixels(std::string_view text)
+{
+    return text.find("pixel(") != std::string_view::npos || text.find("pixel_count(") != std::string_view::npos;
+}
+
+bool names_pixels(const GlslText& text)
+{
+    return names_pixels(std::string_view(text.text)) ||
+           std::any_of(text.includes.begin(), text.includes.end(), [](const auto& include) { return names_pixels(*include); });
+}
 
 std::vector<ExternalRead> external_reads(const TypedGraph& graph, const std::vector<int>& nodes)
 {

@@ -33,14 +33,6 @@ struct TypedGraph {
     std::vector<std::vector<TypedImage>> images;
     const PassLibrary* library = nullptr; ///< where derivations are found
 
-    /// A node that is 0 everywhere exactly when these images are, as the draws behind it read them; only its pixels are counted.
-    struct Watch {
-        int node = 0; ///< the pass that they are black with
-        std::vector<ImageRef> images;
-        int counter = 0;
-    };
-    std::vector<Watch> watches{};
-
     const GraphNode& node(int index) const { return nodes[static_cast<size_t>(index)]; }
     std::string name(ImageRef image) const { return image_name(nodes, image); }
     const TypedImage& image(ImageRef ref) const
@@ -119,6 +111,15 @@ struct Draws {
 /// Indices into Draws::draws, in the order of execution.
 using Order = std::vector<int>;
 
+/// A small draw that looks first whether a draw will be black: at all that a pass of it reads, with that pass's condition, or
+/// whether the images that the draw reads are 0.
+struct Scout {
+    PassPtr pass; ///< of one mask, not 0 where something is found
+    int node = -1; ///< the pass whose condition it asks, with that node's inputs and parameters
+    std::vector<ImageRef> images; ///< without such: its inputs
+    Extent extent;
+};
+
 /// What a draw has to do with a query: does any pixel that a draw stores differ from black?
 struct Condition {
     int counts = -1;     ///< the query that this draw answers; -1: none
@@ -126,7 +127,8 @@ struct Condition {
     /// Not empty: nothing is left out, but a simpler variant is drawn instead, for which these images are 0.
     std::set<ImageRef, ImageLess> black_inputs{};
 
-    bool is_cleared = false; ///< where nothing is drawn, its images are read all the same, by what does not know, or by the host
+    bool is_cleared = false; ///< left out, its images are read all the same, by what does not know, or by the host
+    std::optional<Scout> scout{}; ///< of a draw that counts
 
     bool is_free() const { return counts < 0 && skipped_by < 0; }
 };
@@ -171,8 +173,11 @@ bool may_skip(const TypedGraph& graph, int node);
 Images blackened_by(const Specialised& special, Images black);
 /// Whether a full-screen draw leaves nothing in memory but these images, and 0 as the code of 0.
 bool stores_only(const TypedGraph& graph, const Encoding& encoding, const Draw& draw, const Images& images);
-/// Adds what looks for pixels of passes whose own draw cannot count them for nothing, before fusion.
-Specialised watch(const Specialised& special, const CompileOptions& options);
+/// What looks first for pixels of a draw that is black where the node is; nothing where that cannot be known from its texels.
+std::optional<Scout> find_scout(const Specialised& special, const Draw& draw, int node);
+/// Whether a body, or an expression in it, asks which pixel it computes.
+bool names_pixels(const GlslText& text);
+bool names_pixels(std::string_view text);
 /// Which draws the device leaves out where nothing is bright.
 Conditions find_conditions(const Specialised& special, const Encoding& encoding, const Draws& draws, const Order& order,
                            const CompileOptions& options);

@@ -36,7 +36,10 @@ public:
             source_.has_background = true;
         }
         add_condition();
-        glsl::StepText text = glsl::assemble(source_);
+        const std::optional<glsl::StepSource> scout = scout_source();
+        glsl::StepText text = glsl::assemble(source_, scout ? &*scout : nullptr);
+        step_.scout = std::move(text.scout);
+        step_.scout_extent = scout ? scout->extent : Extent{};
         step_.background = std::move(text.background);
         step_.when_skipped = std::move(text.when_skipped);
         step_.vertex = std::move(text.vertex);
@@ -65,7 +68,7 @@ private:
         instance.is_static = node.is_static;
         instance.selections = node.selections;
         instance.is_called = draw_.called.contains(node_index);
-        instance.looks_at_texels = looks_at_texels(node_index);
+        instance.looks_at_texels = instance.is_called;
         instance.may_skip = may_skip_at_all(options_); // drawing everything, the pass speaks for itself
         instance.is_black = options_.skipping == Skipping::always && options_.specialise && !node.pass->skip_when.empty();
         for (const TypedImage& image : graph_.images[static_cast<size_t>(node_index)])
@@ -111,17 +114,27 @@ private:
             source.filter = filter_of(*node.pass, port, node.selections);
             return source;
         }
+        return texture_source(wire->from, port, filter_for(node, port, image), draw_.called.contains(node_index));
+    }
+
+    /// `looks_at_texels`: at the centers of an image's texels only.
+    glsl::InputSource texture_source(ImageRef from, const InputPort& port, Filter filter, bool looks_at_texels)
+    {
+        const TypedImage& image = graph_.image(from);
+        glsl::InputSource source;
+        source.signal = image.signal;
+        source.codec = encoding_.of(from).codec;
+        source.extent = image.extent;
         source.kind = port.over == Over::sphere ? glsl::InputSource::Kind::cube : glsl::InputSource::Kind::texture;
         // A scene's atlas holds albedo and material in codes of [0, 1]: nothing else can come from there.
         const bool is_coded = image.over == Over::table && info(image.signal).cap == 1.0f;
-        source.is_import = options_.import_guards && imports_.contains(wire->from) && !is_coded;
-        source.is_black_when_skipped = condition_.black_inputs.contains(wire->from);
+        source.is_import = options_.import_guards && imports_.contains(from) && !is_coded;
+        source.is_black_when_skipped = condition_.black_inputs.contains(from);
         source.is_tested_depth = draw_.tested_depth && image.signal == Signal::depth &&
-                                 encoding_.targets_of(wire->from).contains(*draw_.tested_depth);
-        source.is_loaded = may_load(node_index, wire->from);
-        for (const Layout::Place& place : encoding_.of(wire->from).places)
-            source.pieces.push_back(
-                {sampler_for(wire->from, place.target, port, filter_for(node, port, image), source.is_loaded), place.channels});
+                                 encoding_.targets_of(from).contains(*draw_.tested_depth);
+        source.is_loaded = looks_at_texels && may_load(from);
+        for (const Layout::Place& place : encoding_.of(from).places)
+            source.pieces.push_back({sampler_for(from, place.target, port, filter, source.is_loaded), place.channels});
         source_.reads.camera |= source.codec.packing == Packing::linear;
         return source;
     }
@@ -137,25 +150,22 @@ private:
         return is_own_texel ? Filter::nearest : filter_of(*node.pass, port, node.selections);
     }
 
-    /// Passes that are called, and those that count.
-    bool looks_at_texels(int node) const
-    {
-        const auto is_counter = [&](const TypedGraph::Watch& watch) { return watch.counter == node; };
-        return draw_.called.contains(node) || std::any_of(graph_.watches.begin(), graph_.watches.end(), is_counter);
-    }
-
     /// What the host supplies may be in a format that cannot be loaded.
-    bool may_load(int node, ImageRef image) const
+    bool may_load(ImageRef image) const
     {
-        if (!looks_at_texels(node))
+        if (imports_.contains(image))
             return false;
-        const std::set<TargetRef> targets = encoding_.targets_of(image);
-        const auto loaded = std::count_if(step_.reads.begin(), step_.reads.end(), [](const Plan::Read& read) { return read.is_loaded; });
-        return !imports_.contains(image) && static_cast<int>(loaded) + static_cast<int>(targets.size()) <= options_.device.max_loaded_images &&
-               std::all_of(targets.begin(), targets.end(), [&](TargetRef target) {
-                   const Format format = encoding_.target(target).format;
-                   return !is_depth(format) && format != Format::srgb8_a8;
-               });
+        std::set<int> loaded;
+        for (const Plan::Read& read : step_.reads)
+            if (read.is_loaded)
+                loaded.insert(read.index);
+        for (const TargetRef target : encoding_.targets_of(image)) {
+            const Format format = encoding_.target(target).format;
+            if (is_depth(format) || format == Format::srgb8_a8)
+                return false;
+            loaded.insert(slots_.slot_of.at(target));
+        }
+        return static_cast<int>(loaded.size()) <= options_.device.max_loaded_images;
     }
 
     /// The sampler that reads an image in the port's way; equal ways share one.
@@ -210,6 +220,49 @@ private:
         for (const ImageRef image : condition_.black_inputs)
             names.push_back(graph_.name(image));
         step_.black_images = fmt::format("{}", fmt::join(names, " and "));
+    }
+
+    /// What looks first. It has the step's reads and parameters, and the samplers that it reads by.
+    std::optional<glsl::StepSource> scout_source()
+    {
+        if (!condition_.scout)
+            return std::nullopt;
+        const Scout& scout = *condition_.scout;
+        glsl::Instance instance;
+        instance.pass = scout.pass.get();
+        instance.number = static_cast<int>(source_.instances.size());
+        instance.signals = {Signal::mask};
+        instance.looks_at_texels = true;
+        instance.may_skip = false;
+        std::vector<ImageRef> images = scout.images;
+        if (scout.node >= 0) {
+            const GraphNode& asked = graph_.node(scout.node);
+            instance.number = instance_of_.at(scout.node); // the same uniforms
+            instance.params = asked.params;
+            instance.is_static = asked.is_static;
+            instance.selections = asked.selections;
+            for (const auto& wire : asked.inputs)
+                images.push_back(wire->from);
+        }
+        const size_t own_samplers = source_.samplers.size();
+        for (size_t i = 0; i < images.size(); ++i)
+            instance.inputs.push_back(texture_source(images[i], scout.pass->inputs[i], Filter::nearest, true));
+        glsl::StepSource source;
+        for (const glsl::SamplerDeclaration& sampler : source_.samplers)
+            for (const glsl::InputSource& input : instance.inputs)
+                if (std::any_of(input.pieces.begin(), input.pieces.end(), [&](const auto& piece) { return piece.sampler == sampler.name; })) {
+                    source.samplers.push_back(sampler);
+                    break;
+                }
+        source_.samplers.resize(own_samplers);
+        const std::string value = glsl::value_name(instance, 0);
+        source.instances.push_back(std::move(instance));
+        source.targets = {{{value, Signal::mask, *find_codec(Signal::mask, "r8"), "r"}}};
+        source.reads = scout.pass->reads;
+        source.extent = scout.extent;
+        source.discards_black = true;
+        source.facts = source_.facts;
+        return source;
     }
 
     /// Every image with a place in the target: which of its codes stand in which channels.

@@ -114,26 +114,19 @@ private:
     const Draw& draw_at(size_t time) const { return draws_.draws[static_cast<size_t>(order_[time])]; }
     Condition& condition_at(size_t time) { return result_.of_draw[static_cast<size_t>(order_[time])]; }
 
-    /// A draw that was made for it, or the first that is black when the pass is: the earlier, the more is left out.
+    /// The first draw that is black when the pass is: the earlier, the more is left out. Then others that do not follow from it.
     void find_counting(int node)
     {
         const Images black = blackened_by(special_, {{node, 0}});
-        const auto watch = std::find_if(graph_.watches.begin(), graph_.watches.end(),
-                                        [&](const TypedGraph::Watch& w) { return w.node == node; });
-        const int made = watch == graph_.watches.end() ? -1 : draws_.draw_of[static_cast<size_t>(watch->counter)];
-        for (size_t time = 0; time < order_.size(); ++time) {
-            const Draw& draw = draw_at(time);
-            if (made >= 0 ? order_[time] != made : !stores_only(graph_, encoding_, draw, black))
-                continue;
-            if (condition_at(time).is_free())
-                find_dependent(time, made >= 0 ? watch->images : draw.stored, made >= 0);
-            return;
-        }
+        for (size_t time = 0; time < order_.size(); ++time)
+            if (condition_at(time).is_free() && stores_only(graph_, encoding_, draw_at(time), black))
+                find_dependent(time, node);
     }
 
-    /// `counted`: what is 0 everywhere when the counting draw draws no pixel. `is_made`: that draws nothing that is read.
-    void find_dependent(size_t counting, const std::vector<ImageRef>& counted, bool is_made)
+    /// Of what is 0 everywhere when the counting draw draws no pixel. `node`: the pass that it is black with.
+    void find_dependent(size_t counting, int node)
     {
+        const std::vector<ImageRef>& counted = draw_at(counting).stored;
         const Images black = blackened_by(special_, {counted.begin(), counted.end()});
         const int query = static_cast<int>(result_.counted.size());
         bool has_any = false;
@@ -155,7 +148,7 @@ private:
         if (!has_any)
             return;
         condition_at(counting).counts = query;
-        condition_at(counting).is_cleared = !is_made;
+        condition_at(counting).scout = find_scout(special_, draw_at(counting), node);
         std::vector<std::string> names;
         for (const ImageRef image : counted)
             names.push_back(graph_.name(image));

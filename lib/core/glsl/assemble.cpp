@@ -298,7 +298,7 @@ std::string uniform_name(int instance_number, std::string_view param)
     return fmt::format("p{}_{}", instance_number, param);
 }
 
-StepText assemble(const StepSource& step)
+StepText assemble(const StepSource& step, const StepSource* scout)
 {
     const Flats flats = flats_of(step);
     StepText text;
@@ -308,6 +308,8 @@ StepText assemble(const StepSource& step)
         text.background = fragment_text(step, flats, text.sources, Part::background);
     if (step.has_skipped_variant)
         text.when_skipped = fragment_text(step, flats, text.sources, Part::when_skipped);
+    if (scout != nullptr)
+        text.scout = fragment_text(*scout, flats, text.sources, Part::whole);
     return text;
 }
 

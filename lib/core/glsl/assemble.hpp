@@ -84,6 +84,7 @@ struct StepText {
     std::string fragment;
     std::string background;           ///< the fragment stage where there is no surface; "" for draws of one part, or where that is black
     std::string when_skipped;         ///< the fragment stage for which inputs are black that may be; "" without such
+    std::string scout;                ///< the fragment stage of another source, with the vertex stage of this one; "" without such
     std::vector<std::string> sources; ///< by #line source number
 };
 
@@ -92,7 +93,8 @@ std::string value_name(const Instance& instance, size_t output);
 std::string called_name(const Instance& instance);
 std::string uniform_name(int instance_number, std::string_view param);
 
-StepText assemble(const StepSource& step);
+/// `scout`: a draw of part of the step's parameters, or nullptr.
+StepText assemble(const StepSource& step, const StepSource* scout = nullptr);
 
 /// What a target holds where all of its values are 0, all of them plain.
 std::array<float, 4> black_codes(const std::vector<StoredValue>& values);

@@ -24,7 +24,7 @@ bool same_steps(const Plan::Step& a, const Plan::Step& b)
 {
     const auto same_read = [](const Plan::Read& x, const Plan::Read& y) {
         return x.source == y.source && x.index == y.index && x.sampler == y.sampler && x.filter == y.filter && x.wrap == y.wrap &&
-               x.has_levels == y.has_levels;
+               x.has_levels == y.has_levels && x.is_loaded == y.is_loaded;
     };
     const auto same_target = [](const Plan::Target& x, const Plan::Target& y) { return x.slot == y.slot; };
     const auto same_uniform = [](const Plan::Uniform& x, const Plan::Uniform& y) {
@@ -33,7 +33,7 @@ bool same_steps(const Plan::Step& a, const Plan::Step& b)
     return a.kind == b.kind && a.extent == b.extent && a.depth_slot == b.depth_slot &&
            a.tested_depth_slot == b.tested_depth_slot && a.vertex == b.vertex && a.fragment == b.fragment &&
            a.background == b.background && a.counts == b.counts && a.skipped_by == b.skipped_by &&
-           a.when_skipped == b.when_skipped &&
+           a.when_skipped == b.when_skipped && a.scout == b.scout && a.scout_extent == b.scout_extent &&
            std::equal(a.reads.begin(), a.reads.end(), b.reads.begin(), b.reads.end(), same_read) &&
            std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), same_target) &&
            std::equal(a.uniforms.begin(), a.uniforms.end(), b.uniforms.begin(), b.uniforms.end(), same_uniform);
