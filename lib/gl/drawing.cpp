@@ -218,6 +218,11 @@ std::int64_t draw_variant(const DrawInputs& inputs, const Plan::Step& step, Step
 
 std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObjects& objects, const StepQueries& queries)
 {
+    const bool has_variant = objects.when_skipped.has_value();
+    // Without inverted conditions there are no variants that know what is black: everybody may look.
+    const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
+    if (queries.is_known_black && !has_variant && !is_read)
+        return 0; // there is nothing that the device had to decide
     State& state = inputs.state;
     state.draw_framebuffer(objects.framebuffer.id());
     state.encodes_srgb(objects.has_srgb_target);
@@ -231,9 +236,6 @@ std::int64_t draw_step(const DrawInputs& inputs, const Plan::Step& step, StepObj
         clear_targets(inputs, step);
         return draw_elements(inputs, objects.program);
     }
-    const bool has_variant = objects.when_skipped.has_value();
-    // Without inverted conditions there are no variants that know what is black: everybody may look.
-    const bool is_read = step.is_cleared || !inputs.gl.has_inverted_conditions;
     const bool is_background_black = step.tested_depth_slot >= 0 && step.background.empty();
     if (is_background_black || step.counts >= 0 || (queries.skipped_by != 0 && !has_variant && is_read))
         clear_to_black(inputs, step);

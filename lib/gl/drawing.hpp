@@ -25,6 +25,7 @@ struct StepQueries {
     GLuint counts = 0;     ///< is to count the pixels that are drawn
     bool scouts = false;   ///< it counts the scout's, and without one the device leaves the step out
     GLuint skipped_by = 0; ///< has counted; without a pixel, the device leaves the step out or draws its variant
+    bool is_known_black = false; ///< without one, as the device has said by now
 };
 
 /// Draws the step and returns how many draws that took.

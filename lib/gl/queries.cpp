@@ -48,8 +48,10 @@ StepQueries queries_of(const Functions& gl, PlanObjects& objects, size_t step, c
         query.has_counted = true;
     }
     const bool is_possible = row.when_skipped.empty() || gl.has_inverted_conditions;
-    if (row.skipped_by >= 0 && is_possible && answers[static_cast<size_t>(row.skipped_by)])
+    if (row.skipped_by >= 0 && is_possible && answers[static_cast<size_t>(row.skipped_by)]) {
         queries.skipped_by = objects.queries[static_cast<size_t>(row.skipped_by)].object.id();
+        queries.is_known_black = is_known_to_be_none(gl, queries.skipped_by);
+    }
     return queries;
 }
 

@@ -45,7 +45,7 @@ Renderer renderer_of(const Graph& graph, Extent extent, Skipping skipping, bool 
         options.device.max_loaded_images = query_device(test_context().loader())->max_loaded_images;
     auto plan = compile(graph, options);
     REQUIRE(plan);
-    auto renderer = Renderer::create(std::move(*plan), {.loader = test_context().loader(), .is_timed = true});
+    auto renderer = Renderer::create(std::move(*plan), {.loader = test_context().loader(), .is_timed = true, .is_poisoned = true});
     REQUIRE(renderer);
     return std::move(*renderer);
 }
@@ -271,6 +271,29 @@ TEST_CASE("a plan handed over with its images knows what was counted", "[graphs]
         REQUIRE(fresh.import_picture("photo", flat(extent, light)));
         REQUIRE(fresh.render());
         CHECK(renderer.read("color")->texels == fresh.read("color")->texels);
+    }
+}
+
+TEST_CASE("what the host looks at is black in a plan that comes after a dark frame, though nothing was drawn there yet", "[graphs][skipping][bloom]")
+{
+    const Extent extent{32, 18};
+    Renderer renderer = renderer_of(stack(true), extent, Skipping::as_needed);
+    for (const float light : {0.1f, 0.2f}) {
+        REQUIRE(renderer.import_picture("photo", flat(extent, light)));
+        REQUIRE(renderer.render());
+    }
+    Graph other = stack(true);
+    REQUIRE(other.set_codec("glow.blurred", "rgba32f"));
+    REQUIRE(other.set_codec("half.color", "rgba32f"));
+    auto plan = compile(other, {.extent = extent, .picture_extents = {{"photo", extent}}});
+    REQUIRE(plan);
+    REQUIRE(renderer.replace(std::move(*plan)));
+    REQUIRE(renderer.render());
+    for (const char* image : {"bright", "half", "glow"}) {
+        INFO(image);
+        const auto shown = renderer.read(image);
+        REQUIRE(shown);
+        CHECK(std::all_of(shown->texels.begin(), shown->texels.end(), [](float x) { return x == 0.0f; }));
     }
 }
 
