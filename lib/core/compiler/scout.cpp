@@ -43,13 +43,13 @@ float {1}(vec2 uv)
 {{
     ivec2 first = ivec2({3}, {4}) * pixel();
     ivec2 last = {2}_size() - 1;
-    float found = 0.0;
+    bool found = false;
     for (int y = 0; y < {4}; ++y)
         for (int x = 0; x < {3}; ++x) {{
             passgraph_texel = {5};
-            found += passgraph_is_black((vec2(passgraph_texel) + 0.5) * {2}_texel()) ? 0.0 : 1.0;
+            found = !passgraph_is_black((vec2(passgraph_texel) + 0.5) * {2}_texel()) || found;
         }}
-    return found;
+    return found ? 1.0 : 0.0;
 }}
 )",
                                   is_black, pass.name, pass.inputs.front().name, width, height,
