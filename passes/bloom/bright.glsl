@@ -11,8 +11,8 @@
   // The luminance of a color is at most its largest channel; 1e-5 is for the roundings of a sum of three.
   "bound": "image * 1.00001 <= threshold - threshold * knee ? 0 : image * 1.00001",
   "black": ["image"],
-  // The sum that share_above_threshold cuts off at 0, operation by operation: at 0 or below, the share is exactly 0.
-  "skip": { "when": "luminance(image(uv)) - threshold + threshold * knee <= 0.0", "value": 0 },
+  // Where the parabola of share_above_threshold begins, operation by operation: no difference is above 0 up to there.
+  "skip": { "when": "luminance(image(uv)) <= threshold - threshold * knee", "value": 0 },
   "contract": { "non_finite": "contained", "laws": ["black", "energy", "monotone", "mirror"] },
   "source": "Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare"
 }*/

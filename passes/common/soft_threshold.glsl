@@ -6,7 +6,7 @@
 float above_threshold(float brightness, float threshold, float knee)
 {
     float reach = threshold * knee;
-    float rise = clamp(brightness - threshold + reach, 0.0, 2.0 * reach);
+    float rise = clamp(brightness - (threshold - reach), 0.0, 2.0 * reach);
     return max(rise * rise / max(4.0 * reach, 1e-8), brightness - threshold);
 }
 
