@@ -189,6 +189,33 @@ TEST_CASE("a scout misses no texel, however many fall to one of its pixels", "[g
             }
 }
 
+TEST_CASE("a called pass that filters finds the texel, one that has levels is sampled", "[graphs][skipping][bloom]")
+{
+    for (const char* port : {R"("filter": "linear")", R"("levels": true)"}) {
+        CAPTURE(port);
+        const auto glint = read_pass(R"(/*{ "pass": "glint", "summary": "What is above a half.", "source": "arithmetic",
+  "inputs": { "image": { "signal": "radiance", )" + std::string(port) + R"( } }, "outputs": { "color": "radiance" },
+  "skip": { "when": "image(uv).r <= 0.5", "value": 0 } }*/
+vec3 glint(vec2 uv) { return max(image(uv) - 0.5, vec3(0.0)); }
+)",
+                                     "glint.glsl", "mine", {});
+        REQUIRE(glint);
+        PassLibrary library = builtin_passes();
+        library.add(*glint);
+        const Graph graph = graph_of(R"({ "passgraph": 1, "inputs": { "photo": "radiance" }, "passes": {
+            "graded": { "pass": "bloom_combine", "inputs": { "scene": "photo", "bloom": "photo" } },
+            "glint": { "pass": "glint", "inputs": { "image": "graded" } },
+            "half": { "pass": "downsample", "inputs": { "image": "glint" } },
+            "glow": { "pass": "gaussian_blur", "inputs": { "image": "half" } } },
+          "outputs": { "graded": "graded", "color": "glow" } })",
+                                     library);
+        Picture photo = flat({37, 23}, half_of(0.5f)); // a weight that is not quite 1 would find its neighbour's light
+        CHECK(compare(graph, photo) >= 2);
+        photo.at(18, 11, 0) = 60000.0f;
+        CHECK(compare(graph, photo) == 0);
+    }
+}
+
 // A pass may be black where it is bright: texels that a last block has not got are 0, and no reason to draw.
 TEST_CASE("no texel beyond the picture is looked at", "[graphs][skipping][bloom]")
 {

@@ -114,7 +114,8 @@ private:
             source.filter = filter_of(*node.pass, port, node.selections);
             return source;
         }
-        return texture_source(wire->from, port, filter_for(node, port, image), draw_.called.contains(node_index));
+        const bool looks_at_texels = draw_.called.contains(node_index) && !port.has_levels;
+        return texture_source(wire->from, port, looks_at_texels ? Filter::nearest : filter_for(node, port, image), looks_at_texels);
     }
 
     /// `looks_at_texels`: at the centers of an image's texels only.

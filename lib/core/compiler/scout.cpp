@@ -99,7 +99,7 @@ bool may_be_asked(const TypedGraph& graph, const Draw& draw, int node)
     for (size_t i = 0; i < asked.inputs.size(); ++i) {
         const auto& wire = asked.inputs[i];
         const InputPort& port = pass.inputs[i];
-        if (!wire || is_inside(draw, wire->from.node) || port.access.kind != AccessClass::pointwise ||
+        if (!wire || is_inside(draw, wire->from.node) || port.has_levels || port.access.kind != AccessClass::pointwise ||
             !(graph.image(wire->from).extent == graph.image({node, 0}).extent))
             return false;
     }
